@@ -1,0 +1,13 @@
+//! The physics, pure f64: no clock, no input or output, no picture.
+//!
+//! Conventions: `R = world_from_body`; body angular velocity `Ω`, world `ω = RΩ`; body momentum `M = IΩ`, world
+//! momentum `L = RM`, constant; energy `K = ½ M·I⁻¹M`. SI units and radians.
+
+pub mod body;
+pub mod methods;
+pub mod motion;
+pub mod so3;
+
+pub use body::{Body, BodyError};
+pub use methods::{Integration, METHODS, Method, MethodError, method};
+pub use motion::State;

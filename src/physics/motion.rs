@@ -1,0 +1,56 @@
+//! A free rigid body at one moment, and the equation it obeys.
+
+use glam::{DMat3, DVec3};
+
+use super::Body;
+
+/// Attitude and momentum at one moment. World momentum is stored and never recomputed from the attitude, so that
+/// a method which keeps it keeps every bit of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    /// Attitude `R`: takes body components to world components. A rotation, except under the methods that do not keep it one.
+    pub world_from_body: DMat3,
+    /// Body momentum `M` (kg m²/s).
+    pub body_momentum: DVec3,
+    /// World momentum `L = RM` (kg m²/s).
+    pub world_momentum: DVec3,
+}
+
+impl State {
+    /// The state with this attitude (a rotation) and body angular velocity (rad/s).
+    #[must_use]
+    pub fn new(body: &Body, world_from_body: DMat3, body_angular_velocity: DVec3) -> Self {
+        let body_momentum = body.momentum(body_angular_velocity);
+        Self { world_from_body, body_momentum, world_momentum: world_from_body * body_momentum }
+    }
+
+    /// Body angular velocity `Ω = I⁻¹M` (rad/s).
+    #[must_use]
+    pub fn body_angular_velocity(&self, body: &Body) -> DVec3 {
+        body.angular_velocity(self.body_momentum)
+    }
+
+    /// World angular velocity `ω = RΩ` (rad/s).
+    #[must_use]
+    pub fn world_angular_velocity(&self, body: &Body) -> DVec3 {
+        self.world_from_body * self.body_angular_velocity(body)
+    }
+
+    /// Kinetic energy `K = ½ M·I⁻¹M` (J).
+    #[must_use]
+    pub fn energy(&self, body: &Body) -> f64 {
+        body.energy(self.body_momentum)
+    }
+
+    /// Inertia in the world frame, `R I Rᵀ` (kg m²): it turns with the body.
+    #[must_use]
+    pub fn world_inertia(&self, body: &Body) -> DMat3 {
+        self.world_from_body * body.inertia() * self.world_from_body.transpose()
+    }
+}
+
+/// Euler's equation, the rate of the body momentum: `Ṁ = M × Ω` (kg m²/s²).
+#[must_use]
+pub fn momentum_rate(body: &Body, body_momentum: DVec3) -> DVec3 {
+    body_momentum.cross(body.angular_velocity(body_momentum))
+}

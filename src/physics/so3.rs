@@ -1,0 +1,136 @@
+//! Rotations: the group SO(3), its Lie algebra of cross products, and the maps between them.
+//!
+//! A rotation vector `v` (rad) turns by the angle `|v|` about the axis `v/|v|`.
+
+use glam::{DMat3, DQuat, DVec3};
+
+/// Below this squared angle the power series of [`sinc_terms`] are used; the first term left out is then
+/// below `θ⁸/9! < 3e-17` of the leading one.
+const SERIES_BELOW: f64 = 1e-2;
+
+/// The matrix `[v×]` of the cross product: `hat(a) * b = a × b`.
+///
+/// Lie algebra notation: `ad_a`. Its bracket is the cross product, `[a×][b×] − [b×][a×] = [(a×b)×]`.
+#[must_use]
+pub fn hat(v: DVec3) -> DMat3 {
+    DMat3::from_cols(DVec3::new(0.0, v.z, -v.y), DVec3::new(-v.z, 0.0, v.x), DVec3::new(v.y, -v.x, 0.0))
+}
+
+/// The vector of the skew part of a matrix: the inverse of [`hat`] on skew matrices.
+#[must_use]
+pub fn vee(m: DMat3) -> DVec3 {
+    0.5 * DVec3::new(m.y_axis.z - m.z_axis.y, m.z_axis.x - m.x_axis.z, m.x_axis.y - m.y_axis.x)
+}
+
+/// Euclidean length that neither overflows nor underflows: `s |v/s|` with `s` a power of two near the largest entry.
+#[must_use]
+pub fn norm(v: DVec3) -> f64 {
+    let largest = v.abs().max_element();
+    if (1e-140..1e140).contains(&largest) {
+        v.length()
+    } else if largest == 0.0 || !largest.is_finite() {
+        largest
+    } else {
+        (v / largest).length() * largest
+    }
+}
+
+/// `(sin(θ)/θ, (1 − cos θ)/θ²)` from `θ²`, without cancellation near 0.
+fn sinc_terms(angle_squared: f64) -> (f64, f64) {
+    if angle_squared < SERIES_BELOW {
+        let x = angle_squared;
+        (
+            1.0 - x / 6.0 * (1.0 - x / 20.0 * (1.0 - x / 42.0 * (1.0 - x / 72.0))),
+            0.5 - x / 24.0 * (1.0 - x / 30.0 * (1.0 - x / 56.0 * (1.0 - x / 90.0))),
+        )
+    } else {
+        let angle = angle_squared.sqrt();
+        let (half_sine, half_cosine) = (0.5 * angle).sin_cos();
+        (2.0 * half_sine * half_cosine / angle, 2.0 * half_sine * half_sine / angle_squared)
+    }
+}
+
+/// The rotation `exp([v×])` of a rotation vector (rad), by Rodrigues' formula
+/// `1 + sin θ/θ [v×] + (1 − cos θ)/θ² [v×]²`, `θ = |v|`.
+///
+/// Near `θ = 0` both factors come from their power series, so that the error stays near ε; a vector of any
+/// finite length is accepted, with the error `ε(1 + θ)` that its own rounding implies.
+#[must_use]
+pub fn exp(v: DVec3) -> DMat3 {
+    DMat3::from_quat(exp_quaternion(v))
+}
+
+/// The unit quaternion `(cos θ/2, sin(θ/2) v/θ)` of a rotation vector (rad). See [`exp`].
+#[must_use]
+pub fn exp_quaternion(v: DVec3) -> DQuat {
+    let half = 0.5 * v;
+    let angle_squared = half.length_squared();
+    if angle_squared < SERIES_BELOW {
+        let (sinc, one_minus_cosine) = sinc_terms(angle_squared);
+        let w = 1.0 - one_minus_cosine * angle_squared;
+        return DQuat::from_xyzw(sinc * half.x, sinc * half.y, sinc * half.z, w);
+    }
+    let angle = norm(half);
+    let (sine, cosine) = angle.sin_cos();
+    let axis = half / angle;
+    DQuat::from_xyzw(sine * axis.x, sine * axis.y, sine * axis.z, cosine)
+}
+
+/// The unit quaternion of a rotation matrix, by Shepperd's choice of the largest component (no cancellation
+/// at any angle). Of the two quaternions the one with `w ≥ 0` is returned.
+#[must_use]
+pub fn quaternion(r: DMat3) -> DQuat {
+    let (xx, yy, zz) = (r.x_axis.x, r.y_axis.y, r.z_axis.z);
+    // Four times the squares of the components.
+    let squares = [1.0 + xx + yy + zz, 1.0 + xx - yy - zz, 1.0 - xx + yy - zz, 1.0 - xx - yy + zz];
+    let skew = 2.0 * vee(r);
+    let (xy, xz, yz) = (r.y_axis.x + r.x_axis.y, r.z_axis.x + r.x_axis.z, r.z_axis.y + r.y_axis.z);
+    let largest = squares.iter().copied().fold(f64::MIN, f64::max);
+    let (w, x, y, z) = if largest == squares[0] {
+        (squares[0], skew.x, skew.y, skew.z)
+    } else if largest == squares[1] {
+        (skew.x, squares[1], xy, xz)
+    } else if largest == squares[2] {
+        (skew.y, xy, squares[2], yz)
+    } else {
+        (skew.z, xz, yz, squares[3])
+    };
+    let q = DQuat::from_xyzw(x, y, z, w).normalize();
+    if q.w < 0.0 { -q } else { q }
+}
+
+/// The rotation vector (rad) of a rotation matrix, `|log R| ≤ π`: the inverse of [`exp`].
+///
+/// By the quaternion, `2 atan2(|q|, q₀) q/|q|`, which is accurate at 0 and at π alike; at exactly π, where
+/// both signs are right, one of them is returned.
+#[must_use]
+pub fn log(r: DMat3) -> DVec3 {
+    let q = quaternion(r);
+    let v = q.xyz();
+    let sine = v.length();
+    if sine < 1e-8 {
+        // 2 asin(s)/s = 2 + s²/3 + …, the next term is below 1e-16.
+        return v * 2.0;
+    }
+    v * (2.0 * sine.atan2(q.w) / sine)
+}
+
+/// The angle (rad) of the rotation that takes attitude `a` to `b`, from `|A − B|_F = 2√2 sin(θ/2)`:
+/// accurate down to the rounding of the entries, where `acos` of a trace would lose half the digits.
+#[must_use]
+pub fn angle_between(a: DMat3, b: DMat3) -> f64 {
+    let frobenius = frobenius_norm(a - b);
+    2.0 * (frobenius / 8f64.sqrt()).min(1.0).asin()
+}
+
+/// How far a matrix is from a rotation: `|RᵀR − 1|_F` (0 for an exact rotation).
+#[must_use]
+pub fn orthogonality_error(r: DMat3) -> f64 {
+    frobenius_norm(r.transpose() * r - DMat3::IDENTITY)
+}
+
+/// Square root of the sum of the squares of all entries.
+#[must_use]
+pub fn frobenius_norm(m: DMat3) -> f64 {
+    (m.x_axis.length_squared() + m.y_axis.length_squared() + m.z_axis.length_squared()).sqrt()
+}
