@@ -1,0 +1,270 @@
+//! A scene checked: the body and its start worked out, every refusal in one sentence.
+
+use glam::{DMat3, DQuat, DVec3};
+
+use super::{SceneFile, View, nearest};
+use crate::physics::{self, Body, BodyError, METHODS, Method, State, methods::DEFAULT_METHOD};
+
+/// Step (s) of a scene that names none.
+const DEFAULT_STEP: f64 = 0.001;
+/// Edges (m) of the body of a scene that names none.
+const DEFAULT_EDGES: [f64; 3] = [0.2, 0.12, 0.04];
+/// Thinnest part drawn, as a fraction of the longest edge, where no solid box has the moments.
+const THINNEST: f64 = 0.02;
+
+/// A form that a part of the body has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PartKind {
+    /// A rectangular box.
+    Box,
+    /// A cylinder along its own z axis.
+    Cylinder,
+    /// An ellipsoid.
+    Ellipsoid,
+}
+
+/// A part of the body, as it is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// Its form.
+    pub kind: PartKind,
+    /// Full extents (m) along its own axes.
+    pub size: DVec3,
+    /// Its centre (m) in the body frame, from the body's centre of mass.
+    pub centre: DVec3,
+    /// Its orientation: takes the part's own axes to the body's.
+    pub body_from_part: DMat3,
+}
+
+/// A scene that can be run.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The text that it came from, with every change since.
+    pub file: SceneFile,
+    /// The body.
+    pub body: Body,
+    /// What the body looks like.
+    pub parts: Vec<Part>,
+    /// Attitude and momentum at time 0.
+    pub start: State,
+    /// The method that follows the motion.
+    pub method: &'static Method,
+    /// Methods that run beside it from the same start.
+    pub compare: Vec<&'static Method>,
+    /// Step (s).
+    pub step: f64,
+    /// How it is looked at.
+    pub view: View,
+}
+
+/// Why a scene cannot be run. Each is one sentence with the value and what would be right.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SceneError {
+    /// The text is no scene.
+    #[error("line {line}: {message}")]
+    Text {
+        /// Line of the text, from 1.
+        line: usize,
+        /// What is wrong with it.
+        message: String,
+    },
+    /// The body is no body.
+    #[error(transparent)]
+    Body(#[from] BodyError),
+    /// More than one description of the body.
+    #[error("the body is given by {0} at once: give one of box, moments, inertia")]
+    TwoBodies(String),
+    /// A mass with a body that is not a box.
+    #[error("mass {0} kg goes with a box only: moments and inertia hold the mass already")]
+    MassWithoutBox(f64),
+    /// Two descriptions of the spin.
+    #[error("the spin is given by omega and by {0} at once: give omega, or axis with tilt and rate")]
+    TwoSpins(&'static str),
+    /// No such axis.
+    #[error("spin axis {0} does not exist: axes are 1 (smallest moment), 2 and 3 (largest)")]
+    Axis(u8),
+    /// A number out of its range.
+    #[error("{name} {value} is not valid: it must be {wanted}")]
+    Number {
+        /// Which number.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What would be right.
+        wanted: &'static str,
+    },
+    /// An unknown name.
+    #[error("{kind} `{given}` is not known: {hint}")]
+    Unknown {
+        /// What was named.
+        kind: &'static str,
+        /// The name given.
+        given: String,
+        /// The nearest known name, or where to find them.
+        hint: String,
+    },
+    /// Momentum or energy past the range of f64.
+    #[error("angular velocity {0} rad/s with this body is beyond the range of numbers: take a smaller one")]
+    TooFast(f64),
+}
+
+impl Scene {
+    /// Checks a scene and works out its body and start.
+    ///
+    /// # Errors
+    /// See [`SceneError`].
+    pub fn check(file: &SceneFile) -> Result<Self, SceneError> {
+        let (body, parts) = check_body(file)?;
+        let start = check_start(file, &body)?;
+        let method = named_method(file.motion.method.as_deref().unwrap_or(DEFAULT_METHOD))?;
+        let compare = file.motion.compare.iter().map(|name| named_method(name)).collect::<Result<_, _>>()?;
+        let step = positive("step", file.motion.step.unwrap_or(DEFAULT_STEP))?;
+        Ok(Self { file: file.clone(), body, parts, start, method, compare, step, view: check_view(file)? })
+    }
+
+    /// What is unusual about a scene that can all the same be run: a sentence each.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<String> {
+        let excess = self.body.triangle_excess().map(|ratio| {
+            let i = self.body.principal_moments();
+            format!(
+                "moments {}, {}, {}: the largest is {ratio:.3} times the sum of the others and no solid has such moments; it goes on all the same",
+                i.x, i.y, i.z
+            )
+        });
+        excess.into_iter().collect()
+    }
+}
+
+fn check_body(file: &SceneFile) -> Result<(Body, Vec<Part>), SceneError> {
+    let part = &file.body;
+    let given: Vec<&str> =
+        [("box", part.edges.is_some()), ("moments", part.moments.is_some()), ("inertia", part.inertia.is_some())]
+            .into_iter()
+            .filter_map(|(name, is_given)| is_given.then_some(name))
+            .collect();
+    if given.len() > 1 {
+        return Err(SceneError::TwoBodies(given.join(" and ")));
+    }
+    if let (Some(mass), None, true) = (part.mass, part.edges, !given.is_empty()) {
+        return Err(SceneError::MassWithoutBox(mass));
+    }
+    let body = if let Some(moments) = part.moments {
+        Body::from_moments(DVec3::from_array(moments))?
+    } else if let Some([xx, yy, zz, xy, xz, yz]) = part.inertia {
+        Body::from_tensor(DMat3::from_cols_array(&[xx, xy, xz, xy, yy, yz, xz, yz, zz]))?
+    } else {
+        let edges = DVec3::from_array(part.edges.unwrap_or(DEFAULT_EDGES));
+        let body = Body::solid_box(edges, part.mass.unwrap_or(1.0))?;
+        let drawn = Part { kind: PartKind::Box, size: edges, centre: DVec3::ZERO, body_from_part: DMat3::IDENTITY };
+        return Ok((body, vec![drawn]));
+    };
+    // Of all solids with these moments the box of uniform density is drawn.
+    let edges = body.equivalent_box(1.0);
+    let drawn = Part {
+        kind: PartKind::Box,
+        size: edges.max(DVec3::splat(THINNEST * edges.max_element())),
+        centre: DVec3::ZERO,
+        body_from_part: body.body_from_principal(),
+    };
+    Ok((body, vec![drawn]))
+}
+
+fn check_start(file: &SceneFile, body: &Body) -> Result<State, SceneError> {
+    let spin = &file.spin;
+    let omega = if let Some(omega) = spin.omega {
+        let also =
+            [("axis", spin.axis.is_some()), ("tilt_deg", spin.tilt_deg.is_some()), ("rate", spin.rate.is_some())];
+        if let Some((name, _)) = also.into_iter().find(|(_, is_given)| *is_given) {
+            return Err(SceneError::TwoSpins(name));
+        }
+        for component in omega {
+            finite("omega", component)?;
+        }
+        DVec3::from_array(omega)
+    } else {
+        let tilt = finite("tilt", spin.tilt_deg.unwrap_or(0.0))?;
+        if tilt.abs() > 180.0 {
+            return Err(SceneError::Number { name: "tilt", value: tilt, wanted: "between -180 and 180 degrees" });
+        }
+        let rate = finite("rate", spin.rate.unwrap_or(1.0))?;
+        let axis = spin.axis.unwrap_or(2);
+        let (along, towards) = match axis {
+            1 => (DVec3::X, DVec3::Y),
+            2 => (DVec3::Y, DVec3::Z),
+            3 => (DVec3::Z, DVec3::X),
+            other => return Err(SceneError::Axis(other)),
+        };
+        let (sine, cosine) = tilt.to_radians().sin_cos();
+        body.body_from_principal() * (rate * (cosine * along + sine * towards))
+    };
+    let world_from_body = match spin.attitude {
+        None => DMat3::IDENTITY,
+        Some([w, x, y, z]) => {
+            for component in [w, x, y, z] {
+                finite("attitude", component)?;
+            }
+            let largest = [w, x, y, z].into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+            if largest == 0.0 {
+                return Err(SceneError::Number { name: "attitude", value: 0.0, wanted: "a quaternion that is not 0" });
+            }
+            let [w, x, y, z] = [w, x, y, z].map(|component| component / largest);
+            DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize())
+        }
+    };
+    let start = State::new(body, world_from_body, omega);
+    if !(start.body_momentum.is_finite() && start.energy(body).is_finite()) {
+        return Err(SceneError::TooFast(omega.abs().max_element()));
+    }
+    Ok(start)
+}
+
+fn check_view(file: &SceneFile) -> Result<View, SceneError> {
+    let view = &file.view;
+    for (name, value) in [("azimuth", view.azimuth), ("elevation", view.elevation)] {
+        if let Some(value) = value {
+            finite(name, value)?;
+        }
+    }
+    if let Some(distance) = view.distance {
+        positive("distance", distance)?;
+    }
+    let font_scale = positive("font scale", view.font_scale.unwrap_or(1.0))?;
+    if !(0.25..=8.0).contains(&font_scale) {
+        return Err(SceneError::Number { name: "font scale", value: font_scale, wanted: "between 0.25 and 8" });
+    }
+    Ok(View {
+        layout: view.layout.unwrap_or_default(),
+        theme: view.theme.unwrap_or_default(),
+        show: view.show.clone(),
+        hide: view.hide.clone(),
+        labels: view.labels.unwrap_or(true),
+        font_scale,
+        azimuth_deg: view.azimuth,
+        elevation_deg: view.elevation,
+        distance: view.distance,
+    })
+}
+
+fn finite(name: &'static str, value: f64) -> Result<f64, SceneError> {
+    if value.is_finite() { Ok(value) } else { Err(SceneError::Number { name, value, wanted: "a finite number" }) }
+}
+
+fn positive(name: &'static str, value: f64) -> Result<f64, SceneError> {
+    if value.is_finite() && value > 0.0 {
+        Ok(value)
+    } else {
+        Err(SceneError::Number { name, value, wanted: "finite and above 0" })
+    }
+}
+
+fn named_method(name: &str) -> Result<&'static Method, SceneError> {
+    physics::method(name).ok_or_else(|| SceneError::Unknown {
+        kind: "method",
+        given: name.to_owned(),
+        hint: match nearest(name, METHODS.iter().map(|method| method.name)) {
+            Some(near) => format!("the nearest is `{near}`"),
+            None => "`dzhanibekov methods` lists them".to_owned(),
+        },
+    })
+}

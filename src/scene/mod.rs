@@ -1,0 +1,17 @@
+//! What a scene says: the body, how it spins, by which method it is followed and how it is looked at.
+//!
+//! [`SceneFile`] is the text as written, part by part and all of it optional; [`Scene`] is the same thing checked,
+//! with the body and the starting state worked out. The command line and the window change a [`SceneFile`]
+//! and check it again, so there is one way in.
+
+mod check;
+mod file;
+mod nearest;
+mod presets;
+mod view;
+
+pub use check::{Part, PartKind, Scene, SceneError};
+pub use file::{BodyFile, MotionFile, SceneFile, SpinFile, ViewFile};
+pub use nearest::nearest;
+pub use presets::{DEFAULT_PRESET, Preset, preset, presets};
+pub use view::{Layout, Theme, View};

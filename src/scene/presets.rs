@@ -1,0 +1,60 @@
+//! The scenes built into the program: the files of `assets/scenes/`, one a preset.
+
+use include_dir::{Dir, include_dir};
+
+use super::{SceneError, SceneFile, nearest};
+
+static SCENES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/scenes");
+
+/// The scene of a program that is given none.
+pub const DEFAULT_PRESET: &str = "flip";
+
+/// A scene built into the program.
+#[derive(Clone, Copy, Debug)]
+pub struct Preset {
+    /// The file's stem.
+    pub name: &'static str,
+    /// The file's text.
+    pub text: &'static str,
+}
+
+impl Preset {
+    /// Reads the preset.
+    ///
+    /// # Errors
+    /// None for a file that is in the repository and passed the tests.
+    pub fn read(&self) -> Result<SceneFile, SceneError> {
+        SceneFile::parse(self.text)
+    }
+}
+
+/// All presets, in the order their files give (`order`), then by name.
+#[must_use]
+pub fn presets() -> Vec<Preset> {
+    let mut found: Vec<(i64, Preset)> = SCENES
+        .files()
+        .filter_map(|file| {
+            let preset = Preset { name: file.path().file_stem()?.to_str()?, text: file.contents_utf8()? };
+            let order = preset.read().ok().and_then(|scene| scene.order).unwrap_or(i64::MAX);
+            Some((order, preset))
+        })
+        .collect();
+    found.sort_by_key(|(order, preset)| (*order, preset.name));
+    found.into_iter().map(|(_, preset)| preset).collect()
+}
+
+/// The preset of this name.
+///
+/// # Errors
+/// An unknown name, with the nearest known one.
+pub fn preset(name: &str) -> Result<Preset, SceneError> {
+    let all = presets();
+    all.iter().find(|preset| preset.name == name).copied().ok_or_else(|| SceneError::Unknown {
+        kind: "scene",
+        given: name.to_owned(),
+        hint: match nearest(name, all.iter().map(|preset| preset.name)) {
+            Some(near) => format!("the nearest is `{near}`"),
+            None => "`dzhanibekov scenes` lists them, or give the path of a .toml file".to_owned(),
+        },
+    })
+}

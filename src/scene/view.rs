@@ -1,0 +1,50 @@
+//! How a scene is looked at.
+
+use serde::{Deserialize, Serialize};
+
+/// Which of the two spaces the picture shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Layout {
+    /// World and body side by side; one above the other where the picture is tall.
+    #[default]
+    Both,
+    /// The body tumbling in the world, the angular momentum up.
+    World,
+    /// Momentum space in the body frame.
+    Body,
+}
+
+/// Colours for a dark hall or for bright rooms and print.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Theme {
+    /// Light things on a dark background.
+    #[default]
+    Dark,
+    /// Dark things on a light background.
+    Light,
+}
+
+/// The checked settings of a view.
+#[derive(Clone, Debug, PartialEq)]
+pub struct View {
+    /// Which spaces are shown.
+    pub layout: Layout,
+    /// Colours.
+    pub theme: Theme,
+    /// Objects shown although they are not by default.
+    pub show: Vec<String>,
+    /// Objects hidden although they are shown by default.
+    pub hide: Vec<String>,
+    /// Whether names are written beside things.
+    pub labels: bool,
+    /// Factor on the size of text and the width of lines.
+    pub font_scale: f64,
+    /// The camera's direction round the vertical (degrees), where the scene sets one.
+    pub azimuth_deg: Option<f64>,
+    /// The camera's height above the horizon (degrees), where the scene sets one.
+    pub elevation_deg: Option<f64>,
+    /// The camera's distance as a factor on the one that frames everything, where the scene sets one.
+    pub distance: Option<f64>,
+}

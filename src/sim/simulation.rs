@@ -1,0 +1,179 @@
+//! A scene set in motion.
+
+use crate::physics::{Body, Integration, Method, MethodError, State};
+use crate::scene::Scene;
+
+use super::{Clock, Tick};
+
+/// The scene's body followed by one method.
+#[derive(Clone, Debug)]
+pub struct Runner {
+    integration: Integration,
+    state: State,
+    failure: Option<MethodError>,
+}
+
+impl Runner {
+    fn new(scene: &Scene, method: &'static Method) -> Self {
+        Self {
+            integration: Integration::new(method, &scene.body, scene.start, scene.step),
+            state: scene.start,
+            failure: None,
+        }
+    }
+
+    /// The method that follows the body.
+    #[must_use]
+    pub fn method(&self) -> &'static Method {
+        self.integration.method()
+    }
+
+    /// The state now; after a failure the last good one.
+    #[must_use]
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Why the method stopped, if it did.
+    #[must_use]
+    pub fn failure(&self) -> Option<&MethodError> {
+        self.failure.as_ref()
+    }
+
+    fn advance(&mut self, count: i64) {
+        if self.failure.is_none() {
+            match self.integration.advance(count) {
+                Ok(()) => self.state = self.integration.state(),
+                Err(error) => self.failure = Some(error),
+            }
+        }
+    }
+
+    fn go_to(&mut self, time: f64) {
+        if self.failure.is_none() {
+            match self.integration.state_at(time) {
+                Ok(state) => self.state = state,
+                Err(error) => self.failure = Some(error),
+            }
+        }
+    }
+}
+
+/// A scene in motion: its method, and beside it the ghosts that other methods make of the same start.
+#[derive(Clone, Debug)]
+pub struct Simulation {
+    scene: Scene,
+    /// The clock.
+    pub clock: Clock,
+    time: f64,
+    main: Runner,
+    ghosts: Vec<Runner>,
+}
+
+impl Simulation {
+    /// Sets a scene at its start.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        Self {
+            clock: Clock::default(),
+            time: 0.0,
+            main: Runner::new(scene, scene.method),
+            ghosts: scene.compare.iter().map(|method| Runner::new(scene, method)).collect(),
+            scene: scene.clone(),
+        }
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The body.
+    #[must_use]
+    pub fn body(&self) -> &Body {
+        &self.scene.body
+    }
+
+    /// Simulated time (s).
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The state that the scene's method gives now.
+    #[must_use]
+    pub fn state(&self) -> &State {
+        self.main.state()
+    }
+
+    /// The scene's method at work.
+    #[must_use]
+    pub fn main(&self) -> &Runner {
+        &self.main
+    }
+
+    /// The same start under the methods compared with.
+    #[must_use]
+    pub fn ghosts(&self) -> &[Runner] {
+        &self.ghosts
+    }
+
+    /// Advances by a frame's real time (s): as many whole steps as it holds.
+    pub fn advance_frame(&mut self, real_seconds: f64) -> Tick {
+        let tick = self.clock.tick(real_seconds, self.scene.step);
+        if let Tick::Steps(count) | Tick::Capped(count) = tick {
+            self.step(count);
+        }
+        tick
+    }
+
+    /// Takes `count` steps, backwards where it is negative.
+    pub fn step(&mut self, count: i64) {
+        self.main.advance(count);
+        for ghost in &mut self.ghosts {
+            ghost.advance(count);
+        }
+        self.time = self.main.integration.time();
+        if self.main.failure.is_some() {
+            self.clock.paused = true;
+        }
+    }
+
+    /// Goes to a time (s), from the start where it lies behind.
+    pub fn go_to(&mut self, time: f64) {
+        self.main.go_to(time);
+        for ghost in &mut self.ghosts {
+            ghost.go_to(time);
+        }
+        self.time = if self.main.failure.is_none() { time } else { self.main.integration.time() };
+        self.clock.clear();
+    }
+
+    /// Back to the start; paused or running as before.
+    pub fn restart(&mut self) {
+        let clock = self.clock;
+        *self = Self::new(&self.scene);
+        self.clock = clock;
+        self.clock.clear();
+    }
+
+    /// Relative error of the energy since the start (absolute where the body was at rest).
+    #[must_use]
+    pub fn energy_error(&self) -> f64 {
+        let start = self.scene.start.energy(&self.scene.body);
+        let now = self.state().energy(&self.scene.body);
+        relative(now - start, start)
+    }
+
+    /// Relative error of the world momentum since the start (absolute where the body was at rest).
+    #[must_use]
+    pub fn momentum_error(&self) -> f64 {
+        let start = self.scene.start.world_momentum;
+        relative((self.state().world_momentum - start).length(), start.length())
+    }
+}
+
+fn relative(difference: f64, reference: f64) -> f64 {
+    if reference == 0.0 { difference } else { difference / reference }
+}
