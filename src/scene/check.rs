@@ -75,7 +75,7 @@ pub enum SceneError {
     #[error("the body is given by {0} at once: give one of box, moments, inertia")]
     TwoBodies(String),
     /// A mass with a body that is not a box.
-    #[error("mass {0} kg goes with a box only: moments and inertia hold the mass already")]
+    #[error("mass {0:?} kg goes with a box only: moments and inertia hold the mass already")]
     MassWithoutBox(f64),
     /// Two descriptions of the spin.
     #[error("the spin is given by omega and by {0} at once: give omega, or axis with tilt and rate")]
@@ -84,7 +84,7 @@ pub enum SceneError {
     #[error("spin axis {0} does not exist: axes are 1 (smallest moment), 2 and 3 (largest)")]
     Axis(u8),
     /// A number out of its range.
-    #[error("{name} {value} is not valid: it must be {wanted}")]
+    #[error("{name} {value:?} is not valid: it must be {wanted}")]
     Number {
         /// Which number.
         name: &'static str,
@@ -104,7 +104,7 @@ pub enum SceneError {
         hint: String,
     },
     /// Momentum or energy past the range of f64.
-    #[error("angular velocity {0} rad/s with this body is beyond the range of numbers: take a smaller one")]
+    #[error("angular velocity {0:?} rad/s with this body is beyond the range of numbers: take a smaller one")]
     TooFast(f64),
 }
 

@@ -1,0 +1,71 @@
+//! Why a command failed: one sentence and the exit code.
+
+use std::process::ExitCode;
+
+use dzhanibekov::scene::SceneError;
+
+/// A failure, by what the caller can do about it.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// The request was wrong: exit code 2.
+    Request(String),
+    /// The request was right and could not be carried out: exit code 1.
+    Could(String),
+}
+
+impl Failure {
+    pub(super) fn request(message: impl Into<String>) -> Self {
+        Self::Request(message.into())
+    }
+
+    pub(super) fn could(message: impl Into<String>) -> Self {
+        Self::Could(message.into())
+    }
+
+    /// A part that this build of the program was made without.
+    #[allow(dead_code, reason = "used by builds without one of the features")]
+    pub(super) fn not_built(what: &str, feature: &str) -> Self {
+        Self::could(format!("this program was built without {what}: build it with `--features {feature}`"))
+    }
+
+    /// Prints the sentence and gives the exit code.
+    pub(super) fn report(self) -> ExitCode {
+        let (message, code) = match self {
+            Self::Request(message) => (message, 2),
+            Self::Could(message) => (message, 1),
+        };
+        // Where even standard error is closed there is nobody left to tell.
+        let _ = std::io::Write::write_all(&mut std::io::stderr(), format!("dzhanibekov: {message}\n").as_bytes());
+        ExitCode::from(code)
+    }
+}
+
+impl From<SceneError> for Failure {
+    fn from(error: SceneError) -> Self {
+        Self::Request(error.to_string())
+    }
+}
+
+/// A command line that clap refuses, in one sentence; `None` where help or the version was asked for.
+pub(super) fn of_command_line(error: &clap::Error) -> Option<Failure> {
+    use clap::error::ErrorKind;
+    if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
+        return None;
+    }
+    let text = error.to_string();
+    let mut sentence = String::new();
+    for line in text.lines().map(str::trim) {
+        if line.starts_with("Usage:") || line.starts_with("For more information") {
+            break;
+        }
+        if line.is_empty() {
+            continue;
+        }
+        let line = line.trim_start_matches("error: ");
+        if !sentence.is_empty() {
+            sentence.push_str(if sentence.ends_with(':') { " " } else { "; " });
+        }
+        sentence.push_str(line.trim_start_matches("tip: "));
+    }
+    Some(Failure::Request(sentence))
+}

@@ -1,0 +1,109 @@
+//! `scenes` and `methods`: what there is, a line each.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use clap::Args;
+use dzhanibekov::physics::METHODS;
+use dzhanibekov::physics::methods::{Keeps, Order};
+use dzhanibekov::scene::presets;
+use serde_json::json;
+
+use super::failure::Failure;
+use super::output::{io_failure, write_whole};
+
+/// Flags of the listing commands.
+#[derive(Args, Debug)]
+pub(super) struct ListArguments {
+    /// Write JSON
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+pub(super) fn scenes(arguments: &ListArguments) -> Result<(), Failure> {
+    let mut rows = Vec::new();
+    for preset in presets() {
+        let file = preset.read()?;
+        rows.push((preset.name, file));
+    }
+    if arguments.json {
+        let list: Vec<_> = rows
+            .iter()
+            .map(|(name, file)| {
+                json!({ "name": name, "title": file.title, "text": file.text, "question": file.question })
+            })
+            .collect();
+        return print(&format!("{:#}\n", json!(list)));
+    }
+    print(&table(rows.iter().map(|(name, file)| [*name, &file.title])))
+}
+
+pub(super) fn methods(arguments: &ListArguments) -> Result<(), Failure> {
+    let order = |order| match order {
+        Order::Finite(order) => order.to_string(),
+        Order::Exact => "exact".to_owned(),
+    };
+    let keeps = |keeps| match keeps {
+        Keeps::Exactly => "exactly",
+        Keeps::Nearby => "nearby",
+        Keeps::No => "no",
+    };
+    if arguments.json {
+        let list: Vec<_> = METHODS
+            .iter()
+            .map(|method| {
+                json!({
+                    "name": method.name, "label": method.label, "order": order(method.order),
+                    "explicit": method.explicit, "symplectic": method.symplectic,
+                    "keeps": { "momentum": keeps(method.keeps_momentum), "rotation": keeps(method.keeps_rotation),
+                               "energy": keeps(method.keeps_energy) },
+                    "cost": method.cost, "source": method.source,
+                })
+            })
+            .collect();
+        return print(&format!("{:#}\n", json!(list)));
+    }
+    let rows = METHODS.iter().map(|method| {
+        let kept: Vec<&str> =
+            [("momentum", method.keeps_momentum), ("rotation", method.keeps_rotation), ("energy", method.keeps_energy)]
+                .into_iter()
+                .filter_map(|(what, keeps)| (keeps == Keeps::Exactly).then_some(what))
+                .collect();
+        let kept = if kept.is_empty() { "nothing".to_owned() } else { kept.join(", ") };
+        [
+            method.name.to_owned(),
+            format!("order {}", order(method.order)),
+            format!("keeps {kept}"),
+            method.label.to_owned(),
+        ]
+    });
+    print(&table(rows))
+}
+
+/// Rows with their columns flush, two blanks apart.
+pub(super) fn table<const N: usize, Cell: AsRef<str>>(rows: impl Iterator<Item = [Cell; N]>) -> String {
+    let rows: Vec<[Cell; N]> = rows.collect();
+    let mut widths = [0; N];
+    for row in &rows {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = (*width).max(cell.as_ref().chars().count());
+        }
+    }
+    let mut text = String::new();
+    for row in &rows {
+        let mut line = String::new();
+        for (width, cell) in widths.iter().zip(row) {
+            // Writing to a string cannot fail.
+            let _ = write!(line, "{:width$}  ", cell.as_ref());
+        }
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+/// Prints to standard output, where a closed pipe is a failure and no panic.
+pub(super) fn print(text: &str) -> Result<(), Failure> {
+    let stdout = Path::new("-");
+    write_whole(stdout, |writer| writer.write_all(text.as_bytes()).map_err(|error| io_failure(stdout, &error)))
+}

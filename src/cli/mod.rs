@@ -1,0 +1,111 @@
+//! The command line: what can be asked, dispatch, and errors in one sentence with the right exit code.
+
+mod arguments;
+mod failure;
+mod lists;
+mod output;
+#[cfg(feature = "picture")]
+mod picture;
+mod trace;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use arguments::{PictureArguments, SceneArguments, ViewArguments};
+use failure::Failure;
+
+/// See, teach and measure how a free rigid body turns: the Dzhanibekov effect (tennis-racket theorem).
+///
+/// Without a command it opens the window on SCENE. Every command lists its own flags and examples:
+/// `dzhanibekov shot --help`.
+#[derive(Parser, Debug)]
+#[command(version, args_conflicts_with_subcommands = true, infer_long_args = false, max_term_width = 100)]
+#[command(after_help = "Examples:
+  dzhanibekov                                   the window, on the scene `flip`
+  dzhanibekov --box 0.2,0.12,0.04 --axis 2 --tilt 0.01 --rate 6
+  dzhanibekov shot flip --time 3 -o flip.png    one picture, no window, no display
+  dzhanibekov trace flip --every 0.01 --duration 10 -o flip.csv")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    scene: SceneArguments,
+    #[command(flatten)]
+    view: ViewArguments,
+    /// Size of the window in pixels
+    #[arg(long, value_name = "WxH", help_heading = "Picture")]
+    size: Option<String>,
+    /// Name (or a part of it) of the graphics adapter to draw with
+    #[arg(long, value_name = "NAME", help_heading = "Picture")]
+    adapter: Option<String>,
+    /// Say nothing but errors
+    #[arg(long)]
+    quiet: bool,
+}
+
+#[derive(Subcommand, Debug)]
+enum Command {
+    /// Draw one picture to a file, with no window and no display
+    #[command(after_help = "Examples:
+  dzhanibekov shot flip -o flip.png
+  dzhanibekov shot flip --time 2.5 --size 3840x2160 --theme light -o flip.png
+  dzhanibekov shot --moments 1,2,3 --omega 0,1,0.001 --view body -o - | display")]
+    Shot(Box<PictureArguments>),
+    /// Write the motion as numbers (CSV)
+    #[command(after_help = "Examples:
+  dzhanibekov trace flip --at 0,1,10
+  dzhanibekov trace --moments 0.5,0.85,1 --omega 0.4,1.176470588235294,0.4 --method buss --step 0.001 --at 30
+  dzhanibekov trace flip --every 0.01 --duration 10 -o flip.csv")]
+    Trace(Box<trace::TraceArguments>),
+    /// List the scenes built in
+    Scenes(lists::ListArguments),
+    /// List the methods
+    Methods(lists::ListArguments),
+    /// List the graphics adapters
+    Adapters(lists::ListArguments),
+}
+
+/// Runs the program and turns its outcome into the exit code: 0 done, 1 it could not, 2 the request was wrong.
+pub(crate) fn main() -> ExitCode {
+    let outcome = match Arguments::try_parse() {
+        Ok(arguments) => run(arguments),
+        Err(error) => match failure::of_command_line(&error) {
+            Some(failure) => Err(failure),
+            None => {
+                // Help and version, asked for.
+                return match error.print() {
+                    Ok(()) => ExitCode::SUCCESS,
+                    Err(_) => ExitCode::FAILURE,
+                };
+            }
+        },
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+fn run(arguments: Arguments) -> Result<(), Failure> {
+    match arguments.command {
+        None => window(&arguments),
+        #[cfg(feature = "picture")]
+        Some(Command::Shot(shot)) => picture::shot(&shot),
+        #[cfg(not(feature = "picture"))]
+        Some(Command::Shot(_)) => Err(Failure::not_built("pictures", "picture")),
+        Some(Command::Trace(trace)) => trace::run(&trace),
+        Some(Command::Scenes(list)) => lists::scenes(&list),
+        Some(Command::Methods(list)) => lists::methods(&list),
+        #[cfg(feature = "picture")]
+        Some(Command::Adapters(list)) => picture::adapters(&list),
+        #[cfg(not(feature = "picture"))]
+        Some(Command::Adapters(_)) => Err(Failure::not_built("pictures", "picture")),
+    }
+}
+
+fn window(arguments: &Arguments) -> Result<(), Failure> {
+    let scene = arguments.scene.scene(Some(&arguments.view), arguments.quiet)?;
+    let _ = (scene, &arguments.size, &arguments.adapter);
+    Err(Failure::not_built("the window", "window"))
+}

@@ -1,0 +1,67 @@
+//! Files written whole or not at all: beside their place first, then renamed into it.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use super::failure::Failure;
+
+/// Writes what `write` writes to a file, or to standard output where the path is `-`.
+///
+/// A file appears under its name only once it is whole and on the disk; after a failure nothing of it is left.
+pub(super) fn write_whole(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    if path == Path::new("-") {
+        let mut stdout = BufWriter::new(io::stdout().lock());
+        write(&mut stdout)?;
+        return stdout.flush().map_err(|error| io_failure(path, &error));
+    }
+    if path.is_dir() {
+        return Err(Failure::request(format!("{} is a folder: name a file in it", path.display())));
+    }
+    let is_special = fs::metadata(path).is_ok_and(|metadata| !metadata.is_file());
+    if is_special {
+        // A device or a pipe takes no renaming.
+        let mut file = BufWriter::new(File::create(path).map_err(|error| io_failure(path, &error))?);
+        write(&mut file)?;
+        return file.flush().map_err(|error| io_failure(path, &error));
+    }
+    let beside = Beside::new(path)?;
+    let file = File::create(&beside.path).map_err(|error| io_failure(path, &error))?;
+    let mut writer = BufWriter::new(file);
+    write(&mut writer)?;
+    let file = writer.into_inner().map_err(|error| io_failure(path, error.error()))?;
+    file.sync_data().map_err(|error| io_failure(path, &error))?;
+    fs::rename(&beside.path, path).map_err(|error| io_failure(path, &error))
+}
+
+/// What could not be written and why.
+pub(super) fn io_failure(path: &Path, error: &io::Error) -> Failure {
+    let place = if path == Path::new("-") { "standard output".to_owned() } else { path.display().to_string() };
+    Failure::could(format!("could not write {place}: {error}"))
+}
+
+/// A name beside the wanted one, removed again unless it was renamed.
+struct Beside {
+    path: PathBuf,
+}
+
+impl Beside {
+    fn new(path: &Path) -> Result<Self, Failure> {
+        let Some(name) = path.file_name() else {
+            return Err(Failure::request(format!("{} does not name a file", path.display())));
+        };
+        let mut beside = std::ffi::OsString::from(".");
+        beside.push(name);
+        beside.push(format!(".part-{}", std::process::id()));
+        Ok(Self { path: path.with_file_name(beside) })
+    }
+}
+
+impl Drop for Beside {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.path);
+    }
+}
