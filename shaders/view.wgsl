@@ -1,0 +1,35 @@
+// What every primitive of a view knows. Mirrored by `ViewUniform` in src/render/view.rs.
+struct View {
+    clip_from_world: mat4x4f,
+    // The ray through a pixel is ray_forward + ndc.x ray_right + ndc.y ray_up; its parameter is the view depth.
+    ray_right: vec4f,
+    ray_up: vec4f,
+    ray_forward: vec4f,
+    // w: distance of the near plane
+    eye: vec4f,
+    // towards the lights; w: strength
+    key_light: vec4f,
+    fill_light: vec4f,
+    // width and height of the view, pixels per point, ambient light
+    metrics: vec4f,
+}
+
+@group(0) @binding(0) var<uniform> view: View;
+
+// How far lines and marks are drawn before the surfaces they lie on, as a part of their depth.
+const LIFT: f32 = 1.006;
+
+fn lit(color: vec3f, normal: vec3f, to_eye: vec3f, gloss: f32) -> vec3f {
+    let ambient = view.metrics.w;
+    // Wrapped: no face goes black, and the turn from light to shade is soft.
+    let key = pow(max(0.5 + 0.5 * dot(normal, view.key_light.xyz), 0.0), 1.6) * view.key_light.w;
+    let fill = max(0.5 + 0.5 * dot(normal, view.fill_light.xyz), 0.0) * view.fill_light.w;
+    let half_way = normalize(view.key_light.xyz + to_eye);
+    let shine = gloss * pow(max(dot(normal, half_way), 0.0), 40.0);
+    return color * (ambient + key + fill) + vec3f(shine);
+}
+
+// The texts' quads are two triangles of a strip: corners (0,0), (1,0), (0,1), (1,1).
+fn strip_corner(index: u32) -> vec2f {
+    return vec2f(f32(index & 1u), f32(index >> 1u));
+}

@@ -1,0 +1,289 @@
+//! What a picture consists of, as plain f32 data: the one place where f64 becomes f32.
+//!
+//! Objects write a [`Frame`], the renderer reads it. Lengths in a view are in units of what it shows (about 1);
+//! widths and text sizes are in points: 1/720 of the height of a 16:9 picture, whatever its size in pixels.
+
+use glam::{DMat3, DVec3, Mat3, Mat4, Vec2, Vec3};
+
+use crate::camera::Camera;
+
+/// A vector rounded to f32.
+#[must_use]
+pub fn single(v: DVec3) -> Vec3 {
+    v.as_vec3()
+}
+
+/// A matrix rounded to f32.
+#[must_use]
+pub fn single_matrix(m: DMat3) -> Mat3 {
+    m.as_mat3()
+}
+
+/// A colour in linear light with straight (not premultiplied) opacity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Color(pub [f32; 4]);
+
+impl Color {
+    /// An opaque colour from the usual `0xRRGGBB` notation (sRGB).
+    #[must_use]
+    pub fn hex(rgb: u32) -> Self {
+        let channel = |shift: u32| decode(((rgb >> shift) & 0xff) as f32 / 255.0);
+        Self([channel(16), channel(8), channel(0), 1.0])
+    }
+
+    /// The same colour with this opacity.
+    #[must_use]
+    pub fn alpha(self, alpha: f32) -> Self {
+        let [r, g, b, _] = self.0;
+        Self([r, g, b, alpha])
+    }
+
+    /// The same colour, its opacity times this.
+    #[must_use]
+    pub fn fade(self, factor: f32) -> Self {
+        self.alpha(self.0[3] * factor)
+    }
+
+    /// The colour this part of the way to another.
+    #[must_use]
+    pub fn mix(self, other: Self, part: f32) -> Self {
+        let [a, b] = [self.0, other.0];
+        Self(std::array::from_fn(|i| a[i] + (b[i] - a[i]) * part))
+    }
+}
+
+/// The sRGB transfer function, encoded to linear.
+fn decode(value: f32) -> f32 {
+    if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+}
+
+/// A whole picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// Behind everything, and the halo of the labels.
+    pub background: Color,
+    /// Leave the background out: the picture keeps its own opacity (premultiplied).
+    pub transparent: bool,
+    /// Factor on every width and text size.
+    pub font_scale: f32,
+    /// The parts of the picture, left to right or top to bottom.
+    pub views: Vec<View>,
+}
+
+/// A part of the picture, as fractions of its width and height from the top left corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Area {
+    /// The top left corner.
+    pub corner: Vec2,
+    /// Width and height.
+    pub extent: Vec2,
+}
+
+impl Area {
+    /// The whole picture.
+    pub const WHOLE: Self = Self { corner: Vec2::ZERO, extent: Vec2::ONE };
+
+    /// Whether a point (fractions of the picture) lies within.
+    #[must_use]
+    pub fn contains(&self, point: Vec2) -> bool {
+        let inside = point - self.corner;
+        inside.cmpge(Vec2::ZERO).all() && inside.cmplt(self.extent).all()
+    }
+}
+
+/// One scene seen by one camera in one part of the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct View {
+    /// Where in the picture.
+    pub area: Area,
+    /// From where it is seen.
+    pub camera: Camera,
+    /// Bodies made of triangles.
+    pub solids: Vec<Solid>,
+    /// Translucent quadrics, drawn pair by pair after the solids.
+    pub quadrics: Vec<QuadricPair>,
+    /// Lines of constant width on the screen.
+    pub lines: Vec<Line>,
+    /// Marks of constant size on the screen.
+    pub points: Vec<Point>,
+    /// Texts beside points of the scene.
+    pub labels: Vec<Label>,
+}
+
+impl View {
+    /// An empty view.
+    #[must_use]
+    pub fn new(area: Area, camera: Camera) -> Self {
+        Self { area, camera, solids: vec![], quadrics: vec![], lines: vec![], points: vec![], labels: vec![] }
+    }
+}
+
+/// A corner of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vertex {
+    /// Where, in the view's world.
+    pub position: Vec3,
+    /// Outward unit normal; zero for a surface that takes no light.
+    pub normal: Vec3,
+    /// Colour at the corner, blended across the triangle.
+    pub color: Color,
+}
+
+/// Triangles with their colours.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// The corners.
+    pub vertices: Vec<Vertex>,
+    /// Three indices a triangle, counter-clockwise seen from outside.
+    pub indices: Vec<u32>,
+}
+
+/// A body made of triangles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solid {
+    /// Its triangles.
+    pub mesh: Mesh,
+    /// Opaque ones hide what is behind; the others are blended over the opaque ones, farthest first.
+    pub opaque: bool,
+}
+
+/// A closed quadric surface `|unit_from_world p| = 1` (ellipsoid), translucent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quadric {
+    /// Takes the surface to the unit sphere.
+    pub unit_from_world: Mat4,
+    /// Colour, with the opacity of one wall seen square on.
+    pub color: Color,
+}
+
+impl Quadric {
+    /// The ellipsoid with these semi-axes along the columns of `axes`, about `centre`.
+    #[must_use]
+    pub fn ellipsoid(centre: Vec3, axes: Mat3, semi_axes: Vec3, color: Color) -> Self {
+        let inverse = Mat3::from_diagonal(semi_axes.max(Vec3::splat(1e-6)).recip()) * axes.transpose();
+        let unit_from_world = Mat4::from_mat3(inverse) * Mat4::from_translation(-centre);
+        Self { unit_from_world, color }
+    }
+}
+
+/// One or two quadrics about the same centre, composited exactly where they cut each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuadricPair {
+    /// The one that is always there.
+    pub first: Quadric,
+    /// The one that cuts it.
+    pub second: Option<Quadric>,
+    /// Something opaque may lie inside: the far walls are then blended before the near ones, each against it.
+    pub hollow: bool,
+}
+
+/// One point of a [`Line`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinePoint {
+    /// Where, in the view's world.
+    pub position: Vec3,
+    /// Colour here, blended along the line.
+    pub color: Color,
+}
+
+/// The pattern of a line, in lengths of the view's world.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Dash {
+    /// Unbroken.
+    #[default]
+    Solid,
+    /// Dashes of this period, half of it drawn.
+    Dashed(f32),
+    /// Round dots of this period.
+    Dotted(f32),
+}
+
+/// A line of constant width on the screen, with round joins and caps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// The points it goes through; a closed line repeats its first point.
+    pub points: Vec<LinePoint>,
+    /// Width in points.
+    pub width: f32,
+    /// Its pattern.
+    pub dash: Dash,
+    /// Factor on the opacity where a surface hides the line; 0 hides it wholly.
+    pub hidden: f32,
+}
+
+impl Line {
+    /// An unbroken line of one colour, hidden by what is before it.
+    #[must_use]
+    pub fn new(points: impl IntoIterator<Item = Vec3>, width: f32, color: Color) -> Self {
+        let points = points.into_iter().map(|position| LinePoint { position, color }).collect();
+        Self { points, width, dash: Dash::Solid, hidden: 0.0 }
+    }
+
+    /// The same line, seen this strongly through surfaces.
+    #[must_use]
+    pub fn through(mut self, hidden: f32) -> Self {
+        self.hidden = hidden;
+        self
+    }
+
+    /// The same line in this pattern.
+    #[must_use]
+    pub fn dashed(mut self, dash: Dash) -> Self {
+        self.dash = dash;
+        self
+    }
+}
+
+/// The form of a mark: marks are told apart without their colours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// A ball.
+    Disc,
+    /// A circle.
+    Ring,
+    /// A square on its corner.
+    Diamond,
+    /// Two crossed strokes.
+    Cross,
+    /// A square.
+    Square,
+    /// A triangle.
+    Triangle,
+}
+
+/// A mark of constant size on the screen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Where, in the view's world.
+    pub position: Vec3,
+    /// Diameter in points.
+    pub size: f32,
+    /// Its form.
+    pub mark: Mark,
+    /// Its colour.
+    pub color: Color,
+    /// The colour of the rim round it.
+    pub rim: Color,
+    /// Factor on the opacity where a surface hides the mark.
+    pub hidden: f32,
+}
+
+/// A text beside a point of the scene. Labels avoid each other and stay in the picture; those of higher
+/// priority choose first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    /// What is labelled, in the view's world.
+    pub anchor: Vec3,
+    /// Where the text would like to be from there on the screen: direction (x right, y up), any length.
+    pub toward: Vec2,
+    /// Free space between the anchor and the text (points).
+    pub gap: f32,
+    /// The text.
+    pub text: String,
+    /// Height of the text (points).
+    pub size: f32,
+    /// Its colour.
+    pub color: Color,
+    /// Higher ones choose their places first.
+    pub priority: i32,
+}

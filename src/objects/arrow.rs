@@ -1,0 +1,32 @@
+//! Arrows as lit bodies.
+
+use glam::{Mat3, Vec2, Vec3};
+
+use super::mesh::add_lathe;
+use crate::frame::{Color, Mesh, Solid, View};
+
+/// Radius of an arrow's shaft.
+const SHAFT: f32 = 0.020;
+
+/// Adds an arrow from one point to another; nothing where it would have no length.
+pub(super) fn add(view: &mut View, from: Vec3, to: Vec3, color: Color) {
+    let length = from.distance(to);
+    if !(length.is_finite() && length > 1e-3) {
+        return;
+    }
+    let (head_radius, head_length) = (3.0 * SHAFT, (8.5 * SHAFT).min(0.6 * length));
+    let along = (to - from) / length;
+    let aside = along.any_orthonormal_vector();
+    let map = Mat3::from_cols(aside, along.cross(aside), along);
+    let neck = length - head_length;
+    let profile = [
+        Vec2::new(0.0, 0.0),
+        Vec2::new(SHAFT, 0.0),
+        Vec2::new(SHAFT, neck),
+        Vec2::new(head_radius, neck - 0.2 * head_length),
+        Vec2::new(0.0, length),
+    ];
+    let mut mesh = Mesh::default();
+    add_lathe(&mut mesh, from, map, &profile, |_| color);
+    view.solids.push(Solid { mesh, opaque: true });
+}

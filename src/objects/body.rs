@@ -1,0 +1,80 @@
+//! The body itself, its faces told apart: each principal axis has a hue, each end of it a lightness.
+
+use glam::{Mat3, Vec2, Vec3};
+
+use super::{Context, mesh};
+use crate::frame::{Color, Line, Mesh, Solid, View, single, single_matrix};
+use crate::physics::State;
+use crate::scene::PartKind;
+
+/// Rings of an ellipsoid from pole to pole.
+const RINGS: usize = 48;
+
+pub(super) fn draw(context: &Context<'_>, view: &mut View) {
+    let mesh = mesh_of(context, context.simulation.state(), context.palette.faces);
+    view.solids.push(Solid { mesh, opaque: true });
+    edges(context, context.simulation.state(), view, context.palette.background.alpha(0.55), 1.6);
+}
+
+/// The triangles of the body in this state.
+pub(super) fn mesh_of(context: &Context<'_>, state: &State, colors: [[Color; 3]; 2]) -> Mesh {
+    let mut mesh = Mesh::default();
+    let principal_from_body = single_matrix(context.simulation.body().body_from_principal().transpose());
+    for (centre, map, kind, body_from_part) in placed_parts(context, state) {
+        let principal_from_part = principal_from_body * body_from_part;
+        let color = |local: Vec3| color_towards(principal_from_part * local, colors);
+        match kind {
+            PartKind::Box => {
+                let of = |sign: f32| Vec3::AXES.map(|axis| color(axis * sign));
+                mesh::add_box(&mut mesh, centre, map, Vec3::ONE, [of(1.0), of(-1.0)]);
+            }
+            PartKind::Cylinder => {
+                let rim = [Vec2::new(0.0, -1.0), Vec2::new(1.0, -1.0), Vec2::new(1.0, 1.0), Vec2::new(0.0, 1.0)];
+                mesh::add_lathe(&mut mesh, centre, map, &rim, color);
+            }
+            PartKind::Ellipsoid => {
+                let profile: Vec<Vec2> = (0..=RINGS)
+                    .map(|i| Vec2::from_angle(std::f32::consts::PI * (i as f32 / RINGS as f32 - 0.5)))
+                    .collect();
+                mesh::add_lathe(&mut mesh, centre, map, &profile, color);
+            }
+        }
+    }
+    mesh
+}
+
+/// The edges of the boxes of the body in this state.
+pub(super) fn edges(context: &Context<'_>, state: &State, view: &mut View, color: Color, width: f32) {
+    for (centre, map, kind, _) in placed_parts(context, state) {
+        if kind != PartKind::Box {
+            continue;
+        }
+        for axis in 0..3 {
+            let (along, u, v) = (Vec3::AXES[axis], Vec3::AXES[(axis + 1) % 3], Vec3::AXES[(axis + 2) % 3]);
+            for side in [u + v, u - v, v - u, -u - v] {
+                view.lines.push(Line::new([side - along, side + along].map(|p| centre + map * p), width, color));
+            }
+        }
+    }
+}
+
+/// Of each part: its centre, the map from its unit shape (half extents 1) to the picture, its kind, its orientation.
+fn placed_parts<'a>(
+    context: &'a Context<'_>,
+    state: &State,
+) -> impl Iterator<Item = (Vec3, Mat3, PartKind, Mat3)> + use<'a> {
+    let world_from_body = context.world_from_body(state);
+    let scale = context.per_metre();
+    context.simulation.scene().parts.iter().map(move |part| {
+        let body_from_part = single_matrix(part.body_from_part);
+        let half = single(part.size * (0.5 * scale));
+        let map = world_from_body * body_from_part * Mat3::from_diagonal(half);
+        (world_from_body * single(part.centre * scale), map, part.kind, body_from_part)
+    })
+}
+
+/// The colour of a face by the principal axis that it looks along most.
+fn color_towards(normal: Vec3, colors: [[Color; 3]; 2]) -> Color {
+    let axis = normal.abs().max_position();
+    colors[usize::from(normal[axis] < 0.0)][axis]
+}

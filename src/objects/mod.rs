@@ -1,0 +1,91 @@
+//! What is drawn: one file an object, each a pure function of the simulation that adds primitives to a view.
+//!
+//! To draw something new: one file here, and one row of [`OBJECTS`].
+
+mod arrow;
+mod body;
+mod context;
+mod layout;
+mod mesh;
+mod polhode;
+mod surfaces;
+mod theme;
+mod tip;
+mod vectors;
+
+use crate::frame::{Frame, View};
+use crate::scene;
+use crate::sim::Simulation;
+
+pub use context::Context;
+pub use layout::{Cameras, Space, areas};
+pub use theme::Palette;
+
+/// A row of the table of drawn things.
+pub struct Object {
+    /// Name on the command line and in scene files.
+    pub name: &'static str,
+    /// Name for people.
+    pub label: &'static str,
+    /// In which space it is drawn.
+    pub space: Space,
+    /// Whether it is shown where nobody says otherwise.
+    pub shown: bool,
+    /// Adds it to a view of that space.
+    draw: fn(&Context<'_>, &mut View),
+}
+
+const fn object(
+    name: &'static str,
+    label: &'static str,
+    space: Space,
+    shown: bool,
+    draw: fn(&Context<'_>, &mut View),
+) -> Object {
+    Object { name, label, space, shown, draw }
+}
+
+/// All objects, in the order in which they are added.
+pub static OBJECTS: &[Object] = &[
+    object("body", "Body", Space::World, true, body::draw),
+    object("momentum", "Angular momentum L", Space::World, true, vectors::momentum),
+    object("omega", "Angular velocity ω", Space::World, true, vectors::angular_velocity),
+    object("sphere", "Sphere |M| = ℓ", Space::Body, true, surfaces::sphere),
+    object("ellipsoid", "Energy ellipsoid", Space::Body, true, surfaces::ellipsoid),
+    object("polhode", "Polhode", Space::Body, true, polhode::draw),
+    object("tip", "Tip of M", Space::Body, true, tip::draw),
+];
+
+/// Looks an object up by its name.
+#[must_use]
+pub fn object_named(name: &str) -> Option<&'static Object> {
+    OBJECTS.iter().find(|object| object.name == name)
+}
+
+/// Whether a view's settings show an object. What is hidden by name stays hidden, whatever else is said.
+#[must_use]
+pub fn is_shown(object: &Object, view: &scene::View) -> bool {
+    let named = |names: &[String]| names.iter().any(|name| name == object.name);
+    (object.shown || named(&view.show)) && !named(&view.hide)
+}
+
+/// The picture of a simulation as it is now, in a picture of this aspect (width over height).
+#[must_use]
+pub fn build_frame(simulation: &Simulation, settings: &scene::View, cameras: &Cameras, aspect: f32) -> Frame {
+    let palette = Palette::new(settings.theme);
+    let context = Context::new(simulation, settings, palette);
+    let views = areas(settings.layout, aspect)
+        .into_iter()
+        .map(|(space, area)| {
+            let mut view = View::new(area, *cameras.of(space));
+            for object in OBJECTS.iter().filter(|object| object.space == space && is_shown(object, settings)) {
+                (object.draw)(&context, &mut view);
+            }
+            if !settings.labels {
+                view.labels.clear();
+            }
+            view
+        })
+        .collect();
+    Frame { background: palette.background, transparent: false, font_scale: settings.font_scale as f32, views }
+}

@@ -1,0 +1,116 @@
+//! Lines: an instanced quad a segment.
+
+use std::ops::Range;
+
+use bytemuck::{Pod, Zeroable};
+
+use super::buffer::FrameBuffer;
+use super::pipeline::{PipelineMaker, Recipe};
+use crate::frame::{Dash, Frame, Line};
+
+/// `Segment` of shaders/line.wgsl.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct SegmentData {
+    before: [f32; 3],
+    start: [f32; 3],
+    end: [f32; 3],
+    after: [f32; 3],
+    style: [f32; 4],
+    along: [f32; 2],
+    colors: [[f32; 4]; 2],
+}
+
+/// Draws the lines of a frame: where they are hidden at their own fainter strength, then where they are seen.
+pub(super) struct Lines {
+    seen: wgpu::RenderPipeline,
+    hidden: wgpu::RenderPipeline,
+    segments: FrameBuffer,
+    views: Vec<Range<u32>>,
+}
+
+impl Lines {
+    pub(super) fn new(maker: &PipelineMaker<'_>) -> Self {
+        let module = maker.module("line", include_str!("../../shaders/line.wgsl"));
+        let pipeline = |label, vertex, depth| {
+            maker.pipeline(&Recipe {
+                label,
+                module: &module,
+                vertex,
+                buffer: Some(wgpu::VertexBufferLayout {
+                    array_stride: size_of::<SegmentData>() as u64,
+                    step_mode: wgpu::VertexStepMode::Instance,
+                    attributes: &wgpu::vertex_attr_array![
+                        0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3,
+                        4 => Float32x4, 5 => Float32x2, 6 => Float32x4, 7 => Float32x4
+                    ],
+                }),
+                group: None,
+                strips: true,
+                cull: None,
+                depth,
+                writes_depth: false,
+            })
+        };
+        Self {
+            seen: pipeline("lines", "vertex_seen", wgpu::CompareFunction::GreaterEqual),
+            hidden: pipeline("hidden lines", "vertex_hidden", wgpu::CompareFunction::Less),
+            segments: FrameBuffer::new("line segments", wgpu::BufferUsages::VERTEX),
+            views: vec![],
+        }
+    }
+
+    pub(super) fn upload(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, frame: &Frame) {
+        let mut segments = vec![];
+        self.views.clear();
+        for view in &frame.views {
+            let start = segments.len() as u32;
+            for line in &view.lines {
+                append(line, &mut segments);
+            }
+            self.views.push(start..segments.len() as u32);
+        }
+        self.segments.write(device, queue, bytemuck::cast_slice(&segments));
+    }
+
+    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+        let (Some(segments), Some(range)) = (self.segments.get(), self.views.get(view)) else { return };
+        if range.is_empty() {
+            return;
+        }
+        pass.set_vertex_buffer(0, segments.slice(..));
+        for pipeline in [&self.hidden, &self.seen] {
+            pass.set_pipeline(pipeline);
+            pass.draw(0..4, range.clone());
+        }
+    }
+}
+
+fn append(line: &Line, segments: &mut Vec<SegmentData>) {
+    let points = &line.points;
+    let last = points.len().saturating_sub(1);
+    let closed = points.len() > 2 && points[0].position == points[last].position;
+    let (kind, period) = match line.dash {
+        Dash::Solid => (0.0, 1.0),
+        Dash::Dashed(period) => (1.0, period),
+        Dash::Dotted(period) => (2.0, period),
+    };
+    let mut along = 0.0;
+    for i in 0..last {
+        let (start, end) = (points[i], points[i + 1]);
+        // A free end is its own neighbour, which the shader takes for none.
+        let before = if i > 0 { points[i - 1] } else { points[if closed { last - 1 } else { 0 }] };
+        let after = if i + 1 < last { points[i + 2] } else { points[if closed { 1 } else { last }] };
+        let next = along + start.position.distance(end.position);
+        segments.push(SegmentData {
+            before: before.position.to_array(),
+            start: start.position.to_array(),
+            end: end.position.to_array(),
+            after: after.position.to_array(),
+            style: [line.width, line.hidden, period, kind],
+            along: [along, next],
+            colors: [start.color.0, end.color.0],
+        });
+        along = next;
+    }
+}

@@ -1,0 +1,17 @@
+//! How a [`Frame`](crate::frame::Frame) is drawn: wgpu, one file a primitive, the same for window and file.
+
+mod buffer;
+mod gpu;
+mod line;
+mod pipeline;
+mod point;
+mod quadrics;
+mod readback;
+mod renderer;
+mod solid;
+mod targets;
+mod view;
+
+pub use gpu::{AdapterDescription, Gpu, GpuError, adapters};
+pub use readback::{Canvas, Pixels};
+pub use renderer::{FORMAT, Renderer, point_size};

@@ -1,0 +1,96 @@
+//! Marks: an instanced quad each.
+
+use std::ops::Range;
+
+use bytemuck::{Pod, Zeroable};
+
+use super::buffer::FrameBuffer;
+use super::pipeline::{PipelineMaker, Recipe};
+use crate::frame::{Frame, Mark};
+
+/// `Mark` of shaders/point.wgsl.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct MarkData {
+    position: [f32; 3],
+    style: [f32; 3],
+    color: [f32; 4],
+    rim: [f32; 4],
+}
+
+/// Draws the points of a frame.
+pub(super) struct Points {
+    seen: wgpu::RenderPipeline,
+    hidden: wgpu::RenderPipeline,
+    marks: FrameBuffer,
+    views: Vec<Range<u32>>,
+}
+
+impl Points {
+    pub(super) fn new(maker: &PipelineMaker<'_>) -> Self {
+        let module = maker.module("point", include_str!("../../shaders/point.wgsl"));
+        let pipeline = |label, vertex, depth| {
+            maker.pipeline(&Recipe {
+                label,
+                module: &module,
+                vertex,
+                buffer: Some(wgpu::VertexBufferLayout {
+                    array_stride: size_of::<MarkData>() as u64,
+                    step_mode: wgpu::VertexStepMode::Instance,
+                    attributes: &wgpu::vertex_attr_array![
+                        0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32x4
+                    ],
+                }),
+                group: None,
+                strips: true,
+                cull: None,
+                depth,
+                writes_depth: false,
+            })
+        };
+        Self {
+            seen: pipeline("points", "vertex_seen", wgpu::CompareFunction::GreaterEqual),
+            hidden: pipeline("hidden points", "vertex_hidden", wgpu::CompareFunction::Less),
+            marks: FrameBuffer::new("points", wgpu::BufferUsages::VERTEX),
+            views: vec![],
+        }
+    }
+
+    pub(super) fn upload(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, frame: &Frame) {
+        let mut marks = vec![];
+        self.views.clear();
+        for view in &frame.views {
+            let start = marks.len() as u32;
+            marks.extend(view.points.iter().map(|point| {
+                let form = match point.mark {
+                    Mark::Disc => 0.0,
+                    Mark::Ring => 1.0,
+                    Mark::Diamond => 2.0,
+                    Mark::Cross => 3.0,
+                    Mark::Square => 4.0,
+                    Mark::Triangle => 5.0,
+                };
+                MarkData {
+                    position: point.position.to_array(),
+                    style: [point.size, point.hidden, form],
+                    color: point.color.0,
+                    rim: point.rim.0,
+                }
+            }));
+            self.views.push(start..marks.len() as u32);
+        }
+        self.marks.write(device, queue, bytemuck::cast_slice(&marks));
+    }
+
+    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+        let (Some(marks), Some(range)) = (self.marks.get(), self.views.get(view)) else { return };
+        if range.is_empty() {
+            return;
+        }
+        pass.set_vertex_buffer(0, marks.slice(..));
+        for pipeline in [&self.hidden, &self.seen] {
+            pass.set_pipeline(pipeline);
+            pass.draw(0..4, range.clone());
+        }
+    }
+}

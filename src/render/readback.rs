@@ -1,0 +1,99 @@
+//! A picture that is drawn to no window, and how it comes back from the device.
+
+use super::gpu::{Gpu, GpuError};
+use super::renderer::FORMAT;
+use super::targets::extent;
+
+/// A texture to draw into and to read back from.
+pub struct Canvas {
+    texture: wgpu::Texture,
+    view: wgpu::TextureView,
+    staging: wgpu::Buffer,
+    size: [u32; 2],
+}
+
+/// A picture in memory: sRGB bytes, red, green, blue, opacity, by rows from the top; premultiplied in linear
+/// light where it was drawn transparent.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pixels {
+    /// Width and height.
+    pub size: [u32; 2],
+    /// Four bytes a pixel.
+    pub rgba: Vec<u8>,
+}
+
+impl Canvas {
+    /// A canvas of this width and height, which must be within [`Gpu::largest_side`].
+    #[must_use]
+    pub fn new(gpu: &Gpu, size: [u32; 2]) -> Self {
+        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("canvas"),
+            size: extent(size),
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: FORMAT,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        });
+        let staging = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("canvas read-back"),
+            size: u64::from(row_bytes(size[0])) * u64::from(size[1]),
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        Self { texture, view, staging, size }
+    }
+
+    /// What a renderer draws into.
+    #[must_use]
+    pub fn view(&self) -> &wgpu::TextureView {
+        &self.view
+    }
+
+    /// Width and height.
+    #[must_use]
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// Waits for the drawing and copies the picture out.
+    ///
+    /// # Errors
+    /// What the device has reported since the last call.
+    pub fn read(&self, gpu: &Gpu) -> Result<Pixels, GpuError> {
+        let [width, height] = self.size;
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.copy_texture_to_buffer(
+            self.texture.as_image_copy(),
+            wgpu::TexelCopyBufferInfo {
+                buffer: &self.staging,
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(row_bytes(width)),
+                    rows_per_image: None,
+                },
+            },
+            extent(self.size),
+        );
+        gpu.queue.submit([encoder.finish()]);
+        self.staging.map_async(wgpu::MapMode::Read, .., |_| {});
+        let polled = gpu.device.poll(wgpu::PollType::wait_indefinitely());
+        gpu.check()?;
+        polled.map_err(|cause| GpuError::Drawing(cause.to_string()))?;
+        let rows = self.staging.get_mapped_range(..).map_err(|cause| GpuError::Drawing(cause.to_string()))?;
+        let mut rgba = Vec::with_capacity(4 * width as usize * height as usize);
+        for row in rows.chunks_exact(row_bytes(width) as usize) {
+            rgba.extend_from_slice(&row[..4 * width as usize]);
+        }
+        drop(rows);
+        self.staging.unmap();
+        Ok(Pixels { size: self.size, rgba })
+    }
+}
+
+/// Bytes of a row in a buffer that a texture is copied to.
+fn row_bytes(width: u32) -> u32 {
+    (4 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT)
+}

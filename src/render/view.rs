@@ -1,0 +1,47 @@
+//! What every shader knows of the view it draws.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec2, Vec3, Vec4};
+
+use crate::camera::{Camera, NEAR};
+use crate::frame::View;
+
+/// `View` of shaders/view.wgsl.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+pub(super) struct ViewUniform {
+    pub(super) clip_from_world: Mat4,
+    ray_right: Vec4,
+    ray_up: Vec4,
+    ray_forward: Vec4,
+    eye: Vec4,
+    key_light: Vec4,
+    fill_light: Vec4,
+    metrics: Vec4,
+}
+
+const AMBIENT: f32 = 0.24;
+
+impl ViewUniform {
+    /// Of a view that is this many pixels wide and high, with this many pixels a point.
+    pub(super) fn new(view: &View, pixels: Vec2, point: f32) -> Self {
+        let aspect = pixels.x / pixels.y;
+        let (right, up, forward) = view.camera.axes();
+        let half_height = (0.5 * Camera::vertical_field(aspect)).tan();
+        // The lights stay with the eye, so that a turned camera sees the same light: key from the upper left,
+        // fill from the right.
+        let key = (up * 0.75 - right * 0.5 - forward * 0.6).normalize();
+        let fill = (right * 0.9 - forward * 0.4 - up * 0.1).normalize();
+        let wide = |v: Vec3, w: f32| v.extend(w);
+        Self {
+            clip_from_world: view.camera.clip_from_world(aspect),
+            ray_right: wide(right * (half_height * aspect), 0.0),
+            ray_up: wide(up * half_height, 0.0),
+            ray_forward: wide(forward, 0.0),
+            eye: wide(view.camera.eye(), NEAR),
+            key_light: wide(key, 0.72),
+            fill_light: wide(fill, 0.2),
+            metrics: Vec4::new(pixels.x, pixels.y, point, AMBIENT),
+        }
+    }
+}
