@@ -11,6 +11,7 @@ use super::arguments::PictureArguments;
 use super::failure::Failure;
 use super::lists::{ListArguments, print, table};
 use super::output::{check_place, io_failure, write_whole};
+use super::quiet_driver::keep_quiet;
 
 impl From<HeadlessError> for Failure {
     fn from(error: HeadlessError) -> Self {
@@ -20,6 +21,7 @@ impl From<HeadlessError> for Failure {
 
 /// `shot`: everything that can be refused is refused before anything is drawn.
 pub(super) fn shot(arguments: &PictureArguments) -> Result<(), Failure> {
+    keep_quiet();
     let scene = arguments.scene.scene(Some(&arguments.view), arguments.quiet)?;
     check_objects(&scene)?;
     let simulation = simulation_at(&scene, arguments.time)?;
@@ -64,6 +66,7 @@ pub(super) fn check_objects(scene: &Scene) -> Result<(), Failure> {
 
 /// `adapters`: what there is to draw with.
 pub(super) fn adapters(arguments: &ListArguments) -> Result<(), Failure> {
+    keep_quiet();
     let found = render::adapters();
     if arguments.json {
         let list: Vec<_> = found
