@@ -75,9 +75,10 @@ impl Glyphs {
         }
     }
 
-    /// Lays a text out on one line, its capitals and digits `size` pixels high as a font counts them. Index digits
+    /// Lays a text out on one line, `size` pixels an em. Index digits
     /// (₁) are digits set smaller and lower, whether the font has them or not.
     pub(super) fn lay_out(&mut self, text: &str, size: f32) -> TextLine {
+        let size = size * self.fonts.first().and_then(height_per_em).unwrap_or(1.0);
         let Some(first) = self.fonts.first() else { return TextLine { glyphs: vec![], extent: [0.0; 2] } };
         let scaled = first.as_scaled(size);
         let (ascent, height) = (scaled.ascent(), scaled.height());
@@ -158,4 +159,9 @@ impl Glyphs {
         self.shelf[2] = self.shelf[2].max(high);
         Some(place)
     }
+}
+
+/// What the rasteriser counts as a font's height, in ems.
+fn height_per_em(font: &FontRef<'_>) -> Option<f32> {
+    font.units_per_em().map(|units| font.height_unscaled() / units)
 }
