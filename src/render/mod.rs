@@ -15,6 +15,6 @@ mod targets;
 mod text;
 mod view;
 
-pub use gpu::{AdapterDescription, Gpu, GpuError, adapters};
+pub use gpu::{AdapterDescription, Gpu, GpuError, adapters, no_adapter};
 pub use readback::{Canvas, Pixels};
 pub use renderer::{FORMAT, Renderer, point_size};
