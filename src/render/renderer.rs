@@ -10,6 +10,7 @@ use super::point::Points;
 use super::quadrics::Quadrics;
 use super::solid::Solids;
 use super::targets::Targets;
+use super::text::Texts;
 use super::view::ViewUniform;
 use crate::frame::Frame;
 
@@ -29,6 +30,7 @@ pub struct Renderer {
     quadrics: Quadrics,
     lines: Lines,
     points: Points,
+    texts: Texts,
     targets: Option<Targets>,
 }
 
@@ -42,7 +44,8 @@ impl Renderer {
         let quadrics = Quadrics::new(&maker);
         let lines = Lines::new(&maker);
         let points = Points::new(&maker);
-        Self { views, solids, quadrics, lines, points, targets: None }
+        let texts = Texts::new(&maker);
+        Self { views, solids, quadrics, lines, points, texts, targets: None }
     }
 
     /// Draws the frame into `target`, a view of a [`FORMAT`] texture of this size, with `point` pixels a point
@@ -61,6 +64,7 @@ impl Renderer {
         self.quadrics.upload(device, queue, frame, &uniforms);
         self.lines.upload(device, queue, frame);
         self.points.upload(device, queue, frame);
+        self.texts.upload(device, queue, frame, &uniforms, picture, point);
 
         let targets = match self.targets.take() {
             Some(targets) if targets.size == size => targets,
@@ -97,6 +101,7 @@ impl Renderer {
                 self.quadrics.draw(&mut pass, number);
                 self.lines.draw(&mut pass, number);
                 self.points.draw(&mut pass, number);
+                self.texts.draw(&mut pass, number);
             }
         }
         queue.submit([encoder.finish()]);
