@@ -6,6 +6,8 @@ mod lists;
 mod output;
 #[cfg(feature = "picture")]
 mod picture;
+#[cfg(feature = "picture")]
+mod quiet_driver;
 mod trace;
 
 use std::process::ExitCode;

@@ -18,9 +18,7 @@ pub(super) fn write_whole(
         write(&mut stdout)?;
         return stdout.flush().map_err(|error| io_failure(path, &error));
     }
-    if path.is_dir() {
-        return Err(Failure::request(format!("{} is a folder: name a file in it", path.display())));
-    }
+    check_place(path)?;
     let is_special = fs::metadata(path).is_ok_and(|metadata| !metadata.is_file());
     if is_special {
         // A device or a pipe takes no renaming.
@@ -35,6 +33,19 @@ pub(super) fn write_whole(
     let file = writer.into_inner().map_err(|error| io_failure(path, error.error()))?;
     file.sync_data().map_err(|error| io_failure(path, &error))?;
     fs::rename(&beside.path, path).map_err(|error| io_failure(path, &error))
+}
+
+/// Refuses a place where no file can be, before any work is done for it.
+pub(super) fn check_place(path: &Path) -> Result<(), Failure> {
+    if path.is_dir() {
+        return Err(Failure::request(format!("{} is a folder: name a file in it", path.display())));
+    }
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
+            Err(Failure::could(format!("could not write {}: there is no folder {}", path.display(), folder.display())))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// What could not be written and why.

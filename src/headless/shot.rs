@@ -1,8 +1,5 @@
 //! One picture.
 
-use std::io;
-
-use super::file::{Output, write};
 use super::png::encode;
 use crate::frame::Frame;
 use crate::objects::{Cameras, build_frame};
@@ -28,14 +25,6 @@ pub enum HeadlessError {
     /// The picture could not be encoded.
     #[error("the picture could not be encoded: {0}")]
     Encoding(#[from] png::EncodingError),
-    /// The file could not be written.
-    #[error("{name} could not be written: {cause}")]
-    Write {
-        /// The file, or the standard output.
-        name: String,
-        /// What the system said.
-        cause: io::Error,
-    },
 }
 
 impl HeadlessError {
@@ -110,22 +99,15 @@ impl Studio {
     }
 }
 
-/// Draws a simulation as it is now, by its scene's own view, and writes it as PNG.
+/// Draws a simulation as it is now, by its scene's own view: the bytes of a PNG file.
 ///
 /// # Errors
 /// See [`HeadlessError`].
-pub fn shot(simulation: &Simulation, options: &ShotOptions, output: &Output) -> Result<(), HeadlessError> {
+pub fn shot(simulation: &Simulation, options: &ShotOptions) -> Result<Vec<u8>, HeadlessError> {
     let mut studio = Studio::new(options)?;
     let view = &simulation.scene().view;
     let mut frame = build_frame(simulation, view, &Cameras::new(view), studio.aspect());
     frame.transparent = options.transparent;
     let pixels = studio.draw(&frame)?;
-    let bytes = encode(&pixels, options.transparent)?;
-    write(output, &bytes).map_err(|cause| HeadlessError::Write {
-        name: match output {
-            Output::File(path) => path.display().to_string(),
-            Output::Stdout => String::from("the standard output"),
-        },
-        cause,
-    })
+    Ok(encode(&pixels, options.transparent)?)
 }

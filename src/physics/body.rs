@@ -9,7 +9,7 @@ use glam::{DMat3, DVec3};
 pub struct Body {
     inertia: DMat3,
     principal_moments: DVec3,
-    body_from_principal: DMat3,
+    axes: DMat3,
 }
 
 /// Why no body has the inertia that was asked for.
@@ -50,10 +50,9 @@ impl Body {
         if !(mass.is_finite() && mass > 0.0) {
             return Err(BodyError::Mass(mass));
         }
-        let squared = edges * edges;
-        Self::from_moments(
-            DVec3::new(squared.y + squared.z, squared.z + squared.x, squared.x + squared.y) * (mass / 12.0),
-        )
+        // The mass first, lest a square leave the range that the moment itself is in.
+        let squared = (mass / 12.0) * edges * edges;
+        Self::from_moments(DVec3::new(squared.y + squared.z, squared.z + squared.x, squared.x + squared.y))
     }
 
     /// A body whose own axes are principal axes, moments (kg m²) in the order of the axes, sorted or not.
@@ -115,7 +114,7 @@ impl Body {
         Self {
             inertia,
             principal_moments: DVec3::from_array(order.map(|i| moments[i])),
-            body_from_principal: DMat3::from_cols(first, second, third),
+            axes: DMat3::from_cols(first, second, third),
         }
     }
 
@@ -135,7 +134,7 @@ impl Body {
     /// without rounding, where the body's own axes are principal.
     #[must_use]
     pub fn body_from_principal(&self) -> DMat3 {
-        self.body_from_principal
+        self.axes
     }
 
     /// Body momentum `M = IΩ` (kg m²/s) of a body angular velocity (rad/s).
@@ -144,17 +143,30 @@ impl Body {
         self.inertia * body_angular_velocity
     }
 
+    /// `IΩ − M` for the rounded momentum `M` of a body angular velocity, where the body's own axes are principal;
+    /// elsewhere the principal axes themselves are rounded, and nothing is gained.
+    pub(crate) fn momentum_tail(&self, body_angular_velocity: DVec3, body_momentum: DVec3) -> DVec3 {
+        let off_diagonal = [self.inertia.y_axis.x, self.inertia.z_axis.x, self.inertia.z_axis.y];
+        if off_diagonal != [0.0; 3] {
+            return DVec3::ZERO;
+        }
+        let diagonal = DVec3::new(self.inertia.x_axis.x, self.inertia.y_axis.y, self.inertia.z_axis.z);
+        // One rounding at the end of the fused product: exact but where it underflows.
+        let tail = |i: usize| diagonal[i].mul_add(body_angular_velocity[i], -body_momentum[i]);
+        DVec3::new(tail(0), tail(1), tail(2))
+    }
+
     /// Body angular velocity `Ω = I⁻¹M` (rad/s) of a body momentum, by the principal axes (no 3×3 inverse).
     #[must_use]
     pub fn angular_velocity(&self, body_momentum: DVec3) -> DVec3 {
-        let principal = self.body_from_principal.transpose() * body_momentum;
-        self.body_from_principal * (principal / self.principal_moments)
+        let principal = self.axes.transpose() * body_momentum;
+        self.axes * (principal / self.principal_moments)
     }
 
     /// Kinetic energy `K = ½ M·I⁻¹M` (J) of a body momentum.
     #[must_use]
     pub fn energy(&self, body_momentum: DVec3) -> f64 {
-        let principal = self.body_from_principal.transpose() * body_momentum;
+        let principal = self.axes.transpose() * body_momentum;
         0.5 * principal.dot(principal / self.principal_moments)
     }
 
@@ -181,7 +193,7 @@ impl Body {
 /// off-diagonal entry to zero; convergence is quadratic, five sweeps reach rounding (Golub & Van Loan, §8.5).
 fn symmetric_eigen(matrix: DMat3) -> ([f64; 3], [DVec3; 3]) {
     let mut a: [[f64; 3]; 3] = matrix.to_cols_array_2d();
-    let mut v = DMat3::IDENTITY.to_cols_array_2d();
+    let mut v = [DVec3::X, DVec3::Y, DVec3::Z];
     for _sweep in 0..12 {
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {
             if a[p][q] == 0.0 {
@@ -202,14 +214,10 @@ fn symmetric_eigen(matrix: DMat3) -> ([f64; 3], [DVec3; 3]) {
             a[p][r] = a[r][p];
             a[r][q] = s * arp + c * arq;
             a[q][r] = a[r][q];
-            for k in 0..3 {
-                // v[column][row]
-                let (vp, vq) = (v[p][k], v[q][k]);
-                v[p][k] = c * vp - s * vq;
-                v[q][k] = s * vp + c * vq;
-            }
+            let (vp, vq) = (v[p], v[q]);
+            v[p] = c * vp - s * vq;
+            v[q] = s * vp + c * vq;
         }
     }
-    let axes = v.map(|column| DVec3::from_array(column).normalize());
-    ([a[0][0], a[1][1], a[2][2]], axes)
+    ([a[0][0], a[1][1], a[2][2]], v.map(DVec3::normalize))
 }

@@ -4,10 +4,17 @@
 //! momentum `L = RM`, constant; energy `K = ½ M·I⁻¹M`. SI units and radians.
 
 pub mod body;
+mod double_double;
+pub mod elliptic;
+pub mod exact;
 pub mod methods;
 pub mod motion;
+mod orbit;
+pub mod poinsot;
 pub mod so3;
 
 pub use body::{Body, BodyError};
+pub use exact::Motion;
 pub use methods::{Integration, METHODS, Method, MethodError, method};
 pub use motion::State;
+pub use poinsot::MotionClass;

@@ -14,6 +14,8 @@ pub struct State {
     pub body_momentum: DVec3,
     /// World momentum `L = RM` (kg m²/s).
     pub world_momentum: DVec3,
+    /// What rounding cut off the body momentum, where it is known; the exact motion uses it over long times.
+    momentum_tail: DVec3,
 }
 
 impl State {
@@ -21,7 +23,18 @@ impl State {
     #[must_use]
     pub fn new(body: &Body, world_from_body: DMat3, body_angular_velocity: DVec3) -> Self {
         let body_momentum = body.momentum(body_angular_velocity);
-        Self { world_from_body, body_momentum, world_momentum: world_from_body * body_momentum }
+        let momentum_tail = body.momentum_tail(body_angular_velocity, body_momentum);
+        Self { world_from_body, body_momentum, world_momentum: world_from_body * body_momentum, momentum_tail }
+    }
+
+    /// The state of a body that a method has moved.
+    pub(crate) fn from_parts(world_from_body: DMat3, body_momentum: DVec3, world_momentum: DVec3) -> Self {
+        Self { world_from_body, body_momentum, world_momentum, momentum_tail: DVec3::ZERO }
+    }
+
+    /// `IΩ − M`, the rounding of the body momentum: zero but in a state made by [`State::new`].
+    pub(crate) fn momentum_tail(&self) -> DVec3 {
+        self.momentum_tail
     }
 
     /// Body angular velocity `Ω = I⁻¹M` (rad/s).

@@ -93,6 +93,12 @@ fn instance(backends: wgpu::Backends) -> wgpu::Instance {
     wgpu::Instance::new(descriptor)
 }
 
+/// What to say on a machine with no adapter at all.
+#[must_use]
+pub fn no_adapter() -> String {
+    GpuError::NoAdapter("no driver".to_owned()).to_string()
+}
+
 /// Every adapter of this machine.
 #[must_use]
 pub fn adapters() -> Vec<AdapterDescription> {

@@ -12,6 +12,6 @@ mod solid;
 mod targets;
 mod view;
 
-pub use gpu::{AdapterDescription, Gpu, GpuError, adapters};
+pub use gpu::{AdapterDescription, Gpu, GpuError, adapters, no_adapter};
 pub use readback::{Canvas, Pixels};
 pub use renderer::{FORMAT, Renderer, point_size};

@@ -126,14 +126,11 @@ impl Integration {
         let start_from_now: DMat3 = body_from_principal * stepper.attitude() * body_from_principal.transpose();
         let world_from_body = self.start.world_from_body * start_from_now;
         let body_momentum = body_from_principal * stepper.momentum();
-        State {
-            world_from_body,
-            body_momentum,
-            world_momentum: if self.method.keeps_momentum == super::Keeps::Exactly {
-                self.start.world_momentum
-            } else {
-                world_from_body * body_momentum
-            },
-        }
+        let world_momentum = if self.method.keeps_momentum == super::Keeps::Exactly {
+            self.start.world_momentum
+        } else {
+            world_from_body * body_momentum
+        };
+        State::from_parts(world_from_body, body_momentum, world_momentum)
     }
 }

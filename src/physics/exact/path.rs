@@ -1,0 +1,235 @@
+//! The exact motion in the standard position of its orbit, relative to the start.
+
+use std::f64::consts::{PI, TAU};
+
+use glam::{DQuat, DVec3};
+
+use super::rates::rates;
+use crate::physics::double_double::{self, DoubleDouble};
+use crate::physics::elliptic::{self, Complementary, Real, Series};
+use crate::physics::orbit::{Kind, Orbit};
+
+/// Attitude relative to the start, and momentum in units of the orbit, at any time in seconds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Path {
+    shape: Shape,
+    /// `B₁, s₂B₂, B₃`.
+    amplitudes: DVec3,
+    inverse_ell: f64,
+    /// `σ = s₂`.
+    handedness: f64,
+    /// `u₀/4K`.
+    start_turns: f64,
+    /// `λ/4K` (1/s).
+    turn_rate: DoubleDouble,
+    /// `ψ̄/4π` (1/s): turns of the half angle.
+    half_angle_rate: DoubleDouble,
+    /// What is to be multiplied from the left: `(R_z(2σχ(u₀)) P(0))⁻¹`.
+    start_inverse: DQuat,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Shape {
+    /// The momentum stays; the body turns about this axis by the half angle.
+    Steady { axis: DVec3, momentum: DVec3 },
+    /// χ by the real nome: coefficients of `sin 2nx` and `cos 2nx`, n = 1, 2.
+    Real { series: Real, sines: [f64; 2], cosines: [f64; 2] },
+    /// χ by the complementary nome: coefficients of `sinh(2n+1)b` and `cosh(2n+1)b`, n = 0…4, and `πη/4K′`.
+    Complementary { series: Complementary, sines: [f64; 5], cosines: [f64; 5], slope: f64 },
+    /// `k′ = 0`, with λ (1/s) and u₀; χ is `−atan(tan(η/2) tanh(u/2))`.
+    Hyperbolic { rate: f64, start: f64, sine: f64, cosine: f64 },
+}
+
+/// Momentum over amplitudes, `[cn, sn, dn]`, and `(cos χ, sin χ)`.
+struct Point {
+    functions: [f64; 3],
+    chi: (f64, f64),
+}
+
+impl Path {
+    pub(crate) fn new(orbit: &Orbit) -> Self {
+        // Seconds from the orbit's own unit of time; powers of two.
+        let per_second = |rate: DoubleDouble| rate.scaled(orbit.momentum_unit).scaled(orbit.moment_unit.recip());
+        let two_pi = double_double::PI.scaled(2.0);
+        let half_angle_rate = |rate: DoubleDouble| per_second(rate / two_pi.scaled(2.0));
+        let ell = orbit.ell.value();
+        let mut path = Self {
+            shape: Shape::Steady { axis: DVec3::Z, momentum: orbit.momentum },
+            amplitudes: orbit.amplitudes * DVec3::new(1.0, orbit.handedness, 1.0),
+            inverse_ell: 1.0 / ell,
+            handedness: orbit.handedness,
+            start_turns: 0.0,
+            turn_rate: DoubleDouble::ZERO,
+            half_angle_rate: DoubleDouble::ZERO,
+            start_inverse: DQuat::IDENTITY,
+        };
+        if orbit.kind == Kind::Steady {
+            if ell > 0.0 {
+                // Every axis with a share of the momentum has the same moment; the largest share names it.
+                let size = orbit.momentum.abs();
+                let moment = (0..3).max_by(|&a, &b| size[a].total_cmp(&size[b])).map_or(1.0, |i| orbit.moments[i]);
+                path.half_angle_rate = half_angle_rate(orbit.ell / DoubleDouble::from(moment));
+                path.shape = Shape::Steady { axis: orbit.momentum / ell, momentum: orbit.momentum };
+            }
+            return path;
+        }
+
+        let (k, k1) = (orbit.modulus, orbit.complementary_modulus);
+        let [i1, i2, i3] = orbit.moments.to_array();
+        // κ, the slope of the separatrix: am(η, k′) = atan κ.
+        let (rise, run) = ((i1 * (i3 - i2).abs()).sqrt(), (i3 * (i2 - i1).abs()).sqrt());
+        if orbit.kind == Kind::Separatrix {
+            path.half_angle_rate = half_angle_rate(orbit.ell / DoubleDouble::from(i2));
+            let half = 0.5 * rise.atan2(run);
+            let start = orbit.start_phase();
+            let (sine, cosine) = half.sin_cos();
+            path.shape = Shape::Hyperbolic { rate: per_second(orbit.rate).value(), start, sine, cosine };
+        } else {
+            let quarter = orbit.quarter_period();
+            let (turn_rate, angle_rate) = rates(orbit);
+            path.turn_rate = per_second(turn_rate / two_pi);
+            path.half_angle_rate = half_angle_rate(angle_rate);
+            path.start_turns = 0.25 * orbit.start_phase() / quarter;
+            path.shape = match Series::new(k, k1) {
+                Series::Real(series) => real_shape(series, rise, run, k, quarter),
+                Series::Complementary(series) => {
+                    let eta = elliptic::incomplete_by_modulus(rise, run, k);
+                    complementary_shape(series, 0.5 * eta * elliptic::arithmetic_geometric_mean(1.0, k))
+                }
+                Series::Hyperbolic => path.shape,
+            };
+        }
+        let start = path.point(0.0);
+        path.start_inverse = path.frame(&start, (1.0, 0.0), orbit.momentum).conjugate();
+        path
+    }
+
+    /// Attitude relative to the start and momentum at a time (s).
+    pub(crate) fn at(&self, time: f64) -> (DQuat, DVec3) {
+        let angle = TAU * phase(self.half_angle_rate, time);
+        if let Shape::Steady { axis, momentum } = self.shape {
+            let (sine, cosine) = angle.sin_cos();
+            return (DQuat::from_xyzw(sine * axis.x, sine * axis.y, sine * axis.z, cosine), momentum);
+        }
+        let point = self.point(time);
+        let momentum = self.amplitudes * DVec3::from_array(point.functions);
+        let (sine, cosine) = angle.sin_cos();
+        (self.start_inverse * self.frame(&point, (cosine, sine), momentum), momentum)
+    }
+
+    /// Momentum at a time (s).
+    pub(crate) fn momentum(&self, time: f64) -> DVec3 {
+        match self.shape {
+            Shape::Steady { momentum, .. } => momentum,
+            _ => self.amplitudes * DVec3::from_array(self.point(time).functions),
+        }
+    }
+
+    /// `R_z(ψ) P(M)` with the half angle `ψ/2` as the given pair turned by σχ.
+    fn frame(&self, point: &Point, half_angle: (f64, f64), momentum: DVec3) -> DQuat {
+        let m = momentum * self.inverse_ell;
+        let (cosine, sine) = half_angle;
+        let (chi_cosine, chi_sine) = (point.chi.0, self.handedness * point.chi.1);
+        let (c, s) = (cosine * chi_cosine - sine * chi_sine, sine * chi_cosine + cosine * chi_sine);
+        // P = (1 + m₃; m₂, −m₁, 0)/√(2(1 + m₃)), the shortest rotation from m to e₃; m₃ ≥ 0.
+        let w = 1.0 + m.z;
+        let scale = 1.0 / (w * w + m.x * m.x + m.y * m.y).sqrt();
+        let (w, x, y) = (w * scale, m.y * scale, -m.x * scale);
+        DQuat::from_xyzw(c * x - s * y, c * y + s * x, s * w, c * w)
+    }
+
+    fn point(&self, time: f64) -> Point {
+        let turns = phase(self.turn_rate, time) + self.start_turns;
+        let turns = turns - turns.round();
+        match &self.shape {
+            Shape::Steady { .. } => Point { functions: [1.0, 0.0, 1.0], chi: (1.0, 0.0) },
+            Shape::Real { series, sines, cosines } => {
+                let (sine, cosine) = (TAU * turns).sin_cos();
+                let (s2, c2) = (2.0 * sine * cosine, 1.0 - 2.0 * sine * sine);
+                let numerator = s2 * (sines[0] + 2.0 * sines[1] * c2);
+                let denominator = 0.5 + cosines[0] * c2 + cosines[1] * (2.0 * c2 * c2 - 1.0);
+                let [sn, cn, dn] = series.at(sine, cosine);
+                Point { functions: [cn, sn, dn], chi: unit(denominator, numerator) }
+            }
+            Shape::Complementary { series, sines, cosines, slope } => {
+                // u/K within ±1, half a period being 2K.
+                let half_periods = (2.0 * turns).round();
+                let quarters = 4.0 * turns - 2.0 * half_periods;
+                let size = quarters.abs();
+                let e = (-series.decay * size).exp();
+                let p = (series.decay * (size - 1.0)).exp();
+                let [sn, cn, dn] = series.at(e, p);
+                let (mut numerator, mut denominator) = (0.0, 0.0);
+                let (mut power, mut odd) = (1.0, e);
+                let e2 = e * e;
+                for (sine, cosine) in sines.iter().zip(cosines) {
+                    numerator += sine * power * (1.0 - odd);
+                    denominator += cosine * power * (1.0 + odd);
+                    power *= p;
+                    odd *= e2;
+                }
+                // χ = slope u/K − atan2(…).
+                let (c, s) = unit(denominator, numerator);
+                let (linear_sine, linear_cosine) = (slope * size).sin_cos();
+                let chi_sine = linear_sine * c - linear_cosine * s;
+                let chi_sine = if quarters < 0.0 { -chi_sine } else { chi_sine };
+                let chi = (linear_cosine * c + linear_sine * s, chi_sine);
+                let sign = if half_periods == 0.0 { 1.0 } else { -1.0 };
+                Point { functions: [sign * cn, sign * sn.copysign(quarters), dn], chi }
+            }
+            Shape::Hyperbolic { rate, start, sine, cosine } => {
+                let u = rate * time + start;
+                let [sn, cn, dn] = elliptic::hyperbolic(u);
+                Point { functions: [cn, sn, dn], chi: unit(*cosine, -sine * (0.5 * u).tanh()) }
+            }
+        }
+    }
+}
+
+/// `(x, y)` made a unit vector.
+fn unit(x: f64, y: f64) -> (f64, f64) {
+    let scale = 1.0 / (x * x + y * y).sqrt();
+    (x * scale, y * scale)
+}
+
+/// The fraction of a turn that is left of rate × time; 0 where no digit of it is left.
+fn phase(rate: DoubleDouble, time: f64) -> f64 {
+    const LARGEST: f64 = 1e280;
+    let time = time.clamp(-LARGEST, LARGEST);
+    let turns = rate.high * time;
+    if turns.abs() < 1e32 { (rate * time).fraction() } else { 0.0 }
+}
+
+/// `(−1)ⁿ q^(2n²)` times `sinh 2ny` and `cosh 2ny`, `y = πη/2K`.
+fn real_shape(series: Real, rise: f64, run: f64, k: f64, quarter: f64) -> Shape {
+    let q = series.nome();
+    let (mut sines, mut cosines) = ([0.0; 2], [0.0; 2]);
+    if q > 0.0 {
+        // e^(2y) = e^(−π(K′−η)/K)/q: the growing part is taken with its small factor.
+        let eta = elliptic::incomplete_by_modulus(rise, run, k);
+        let rest = elliptic::incomplete_by_modulus(run, rise * k, k);
+        let grow = (-PI * rest / quarter).exp();
+        let shrink = (-PI * eta / quarter).exp();
+        let up = [q * grow, q.powi(6) * grow * grow];
+        let down = [q * q * shrink, q.powi(8) * shrink * shrink];
+        for n in 0..2 {
+            let sign = if n == 0 { -0.5 } else { 0.5 };
+            sines[n] = sign * (up[n] - down[n]);
+            cosines[n] = sign * (up[n] + down[n]);
+        }
+    }
+    Shape::Real { series, sines, cosines }
+}
+
+/// `Q^(n²)` times the sine and cosine of `(2n+1)a`.
+fn complementary_shape(series: Complementary, slope: f64) -> Shape {
+    let nome = (-series.decay).exp();
+    let (mut sines, mut cosines) = ([0.0; 5], [0.0; 5]);
+    for n in 0..5 {
+        let (sine, cosine) = (f64::from(2 * n + 1) * slope).sin_cos();
+        let weight = nome.powi(n * n);
+        sines[n as usize] = sine * weight;
+        cosines[n as usize] = cosine * weight;
+    }
+    Shape::Complementary { series, sines, cosines, slope }
+}
