@@ -108,6 +108,15 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
 
 fn window(arguments: &Arguments) -> Result<(), Failure> {
     let scene = arguments.scene.scene(Some(&arguments.view), arguments.quiet)?;
-    let _ = (scene, &arguments.size, &arguments.adapter);
-    Err(Failure::not_built("the window", "window"))
+    #[cfg(feature = "window")]
+    {
+        let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
+        let options = dzhanibekov::app::WindowOptions { size, adapter: arguments.adapter.clone() };
+        dzhanibekov::app::run(scene, options).map_err(|error| Failure::could(error.to_string()))
+    }
+    #[cfg(not(feature = "window"))]
+    {
+        let _ = (scene, &arguments.size, &arguments.adapter);
+        Err(Failure::not_built("the window", "window"))
+    }
 }
