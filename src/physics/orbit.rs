@@ -54,6 +54,9 @@ pub(crate) struct Orbit {
 /// Moments further apart than this are taken as this far apart, so that no product here leaves the range of f64: `2⁻¹⁸⁰`.
 const SMALLEST_RATIO: f64 = 6.525_304_467_998_525e-55;
 
+/// Components of the momentum below this share of it are taken as 0.
+const SMALLEST_SHARE: f64 = 1e-280;
+
 /// Two powers of two whose product is `a/b`, for powers of two a and b: the quotient itself may be out of range.
 pub(crate) fn split_quotient(a: f64, b: f64) -> [f64; 2] {
     let exponent = |x: f64| (x.to_bits() >> 52).cast_signed() - 1023;
@@ -81,7 +84,8 @@ impl Orbit {
         let moment_unit = power_of_two(moments.z);
         let momentum_unit = power_of_two(momentum.abs().max_element());
         let moments = (moments / moment_unit).max(DVec3::splat(SMALLEST_RATIO));
-        let momentum = momentum / momentum_unit;
+        // A share this small moves nothing else, and its products would leave the range of f64.
+        let momentum = (momentum / momentum_unit).map(|m| if m.abs() < SMALLEST_SHARE { 0.0 } else { m });
         let tail = momentum_tail / momentum_unit;
         let pair = |i: usize| DoubleDouble::sum(momentum[i], tail[i]);
 
