@@ -59,7 +59,7 @@ pub(super) fn edges(context: &Context<'_>, state: &State, view: &mut View, color
 }
 
 /// Of each part: its centre, the map from its unit shape (half extents 1) to the picture, its kind, its orientation.
-fn placed_parts<'a>(
+pub(super) fn placed_parts<'a>(
     context: &'a Context<'_>,
     state: &State,
 ) -> impl Iterator<Item = (Vec3, Mat3, PartKind, Mat3)> + use<'a> {
