@@ -41,7 +41,7 @@ pub struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    pub(super) fn new(simulation: &'a Simulation, settings: &'a scene::View, palette: Palette) -> Self {
+    pub(super) fn new(simulation: &'a Simulation, settings: &'a scene::View, palette: &Palette) -> Self {
         let scene = simulation.scene();
         let momentum = scene.start.world_momentum;
         let momentum_length = so3::norm(momentum);
@@ -59,7 +59,7 @@ impl<'a> Context<'a> {
         Self {
             simulation,
             settings,
-            palette,
+            palette: *palette,
             picture_from_world: upright(momentum, momentum_length),
             per_metre: BODY_RADIUS * reciprocal(radius),
             momentum_length,

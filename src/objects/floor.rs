@@ -127,8 +127,8 @@ fn circle(centre: Vec3, radius: f32) -> impl Iterator<Item = Vec3> {
 
 /// A level disc under a linear map, coloured by the distance from its middle (0 to 1).
 fn disc(view: &mut View, centre: Vec3, map: Mat2, color: impl Fn(f32) -> Color) {
-    const RINGS: u32 = 14;
-    const SPOKES: u32 = 64;
+    const RINGS: u32 = 8;
+    const SPOKES: u32 = 36;
     let mut mesh = Mesh::default();
     for ring in 0..=RINGS {
         let r = ring as f32 / RINGS as f32;

@@ -19,6 +19,9 @@ const COLORS: [u32; 9] = [
     0x00f0_e442,
     0x00a0_a0a0,
 ];
+/// Opacity of a ghost's faces, reached where it lies this far from the body.
+const OPACITY: f32 = 0.25;
+const APART: f32 = 0.2;
 const MARKS: [Mark; 5] = [Mark::Square, Mark::Triangle, Mark::Diamond, Mark::Ring, Mark::Disc];
 
 /// How a method is drawn wherever it is a ghost.
@@ -41,11 +44,17 @@ fn dash(method: &Method) -> Dash {
 
 /// Translucent bodies.
 pub(super) fn bodies(context: &Context<'_>, view: &mut View) {
+    let own = body::mesh_of(context, context.simulation.state(), context.palette.faces);
     for ghost in context.simulation.ghosts() {
         let state = ghost.state();
         let color = method_color(ghost.method(), context.settings.theme);
-        let faded = color.alpha(0.22);
-        let mesh = body::mesh_of(context, state, [[faded; 3]; 2]);
+        let mut mesh = body::mesh_of(context, state, [[color; 3]; 2]);
+        // As long as it lies on the body itself a ghost leaves the body's own colours alone.
+        let apart = mesh.vertices.iter().zip(&own.vertices).map(|(a, b)| a.position.distance(b.position));
+        let apart = (apart.fold(0.0, f32::max) / APART).min(1.0);
+        for vertex in &mut mesh.vertices {
+            vertex.color = color.alpha(OPACITY * apart);
+        }
         // A method that blows the body up is drawn until it leaves all bounds.
         if mesh.vertices.iter().all(|vertex| vertex.position.is_finite() && vertex.position.length() < 1e3) {
             view.solids.push(Solid { mesh, opaque: false });
@@ -53,7 +62,7 @@ pub(super) fn bodies(context: &Context<'_>, view: &mut View) {
             body::edges(context, state, view, color, 2.2);
             for line in &mut view.lines[before..] {
                 line.dash = dash(ghost.method());
-                line.hidden = 0.5;
+                line.hidden = 0.5 * apart;
             }
         }
     }
@@ -76,7 +85,7 @@ pub(super) fn marks(context: &Context<'_>, view: &mut View) {
         let mark = MARKS[place(method) % MARKS.len()];
         let rim = context.palette.background;
         view.points.push(Point { position, size: 16.0, mark, color, rim, hidden: 0.7 });
-        let text = method.label.to_owned();
+        let text = method.label.split(',').next().unwrap_or_default().to_owned();
         let toward = Vec2::new(1.0, -0.4);
         view.labels.push(Label { anchor: position, toward, gap: 12.0, text, size: 18.0, color, priority: 6 });
     }

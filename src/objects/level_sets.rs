@@ -8,7 +8,7 @@ use crate::physics::{Body, poinsot};
 
 /// Paths round each stable pole.
 const PATHS: u32 = 3;
-const POINTS: usize = 97;
+const POINTS: usize = 72;
 
 pub(super) fn draw(context: &Context<'_>, view: &mut View) {
     let body = context.simulation.body();

@@ -95,7 +95,7 @@ pub fn is_shown(object: &Object, view: &scene::View) -> bool {
 #[must_use]
 pub fn build_frame(simulation: &Simulation, settings: &scene::View, cameras: &Cameras, aspect: f32) -> Frame {
     let palette = Palette::new(settings.theme);
-    let context = Context::new(simulation, settings, palette);
+    let context = Context::new(simulation, settings, &palette);
     let views = areas(settings.layout, aspect)
         .into_iter()
         .map(|(space, area)| {

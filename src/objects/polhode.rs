@@ -5,7 +5,7 @@ use crate::frame::{Line, View};
 use crate::physics::poinsot;
 
 /// Points of the curve, evenly in arc.
-pub(super) const POINTS: usize = 320;
+pub(super) const POINTS: usize = 256;
 
 pub(super) fn draw(context: &Context<'_>, view: &mut View) {
     let Some(unit) = context.unit_momentum() else { return };
