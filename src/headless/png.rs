@@ -63,22 +63,16 @@ pub fn is_whole(bytes: &[u8], size: [u32; 2], notes: &[Note]) -> bool {
     [info.width, info.height] == size && notes.iter().all(is_said)
 }
 
-/// Divides the colours by the opacity, in linear light.
+/// Divides the colours by the opacity.
 fn straight(premultiplied: &[u8]) -> Vec<u8> {
-    let linear: [f32; 256] = std::array::from_fn(|code| {
-        let value = code as f32 / 255.0;
-        if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
-    });
     let mut straight = premultiplied.to_vec();
     for pixel in straight.chunks_exact_mut(4) {
-        let alpha = pixel[3];
+        let alpha = u32::from(pixel[3]);
         if alpha == 0 || alpha == 255 {
             continue;
         }
         for channel in &mut pixel[..3] {
-            let value = (linear[usize::from(*channel)] * 255.0 / f32::from(alpha)).min(1.0);
-            let coded = if value <= 0.003_130_8 { value * 12.92 } else { 1.055 * value.powf(1.0 / 2.4) - 0.055 };
-            *channel = (coded * 255.0).round() as u8;
+            *channel = ((u32::from(*channel) * 255 + alpha / 2) / alpha).min(255) as u8;
         }
     }
     straight

@@ -12,8 +12,8 @@ pub struct Canvas {
     size: [u32; 2],
 }
 
-/// A picture in memory: sRGB bytes, red, green, blue, opacity, by rows from the top; premultiplied in linear
-/// light where it was drawn transparent.
+/// A picture in memory: sRGB bytes, red, green, blue, opacity, by rows from the top; premultiplied where it
+/// was drawn transparent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pixels {
     /// Width and height.
