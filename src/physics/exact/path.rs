@@ -24,6 +24,8 @@ pub(crate) struct Path {
     turn_rate: DoubleDouble,
     /// `ψ̄/4π` (1/s): turns of the half angle.
     half_angle_rate: DoubleDouble,
+    /// `π/2K`, or `π/2K′` where the complementary nome serves.
+    slope: f64,
     /// What is to be multiplied from the left: `(R_z(2σχ(u₀)) P(0))⁻¹`.
     start_inverse: DQuat,
 }
@@ -61,6 +63,7 @@ impl Path {
             start_turns: 0.0,
             turn_rate: DoubleDouble::ZERO,
             half_angle_rate: DoubleDouble::ZERO,
+            slope: 0.0,
             start_inverse: DQuat::IDENTITY,
         };
         if orbit.kind == Kind::Steady {
@@ -90,6 +93,7 @@ impl Path {
             path.turn_rate = per_second(turn_rate / two_pi);
             path.half_angle_rate = half_angle_rate(angle_rate);
             path.start_turns = 0.25 * orbit.start_phase() / quarter;
+            path.slope = elliptic::arithmetic_geometric_mean(1.0, k.max(k1));
             path.shape = match Series::new(k, k1) {
                 Series::Real(series) => real_shape(series, rise, run, k, quarter),
                 Series::Complementary(series) => {
@@ -117,12 +121,39 @@ impl Path {
         (self.start_inverse * self.frame(&point, (cosine, sine), momentum), momentum)
     }
 
-    /// Momentum at a time (s).
-    pub(crate) fn momentum(&self, time: f64) -> DVec3 {
+    /// `[cn, sn, dn]` at a time (s).
+    pub(crate) fn functions(&self, time: f64) -> [f64; 3] {
+        self.point(time).functions
+    }
+
+    /// Momentum where the functions are `[cn, sn, dn]`.
+    pub(crate) fn momentum_of(&self, functions: [f64; 3]) -> DVec3 {
         match self.shape {
             Shape::Steady { momentum, .. } => momentum,
-            _ => self.amplitudes * DVec3::from_array(self.point(time).functions),
+            _ => self.amplitudes * DVec3::from_array(functions),
         }
+    }
+
+    /// `[cn u, sn u, dn u]` for `|u| ≤ 1.2`, with the relative error of sn some ε however small u is.
+    pub(crate) fn small(&self, u: f64) -> [f64; 3] {
+        match &self.shape {
+            Shape::Steady { .. } => [1.0, 0.0, 1.0],
+            Shape::Real { series, .. } => {
+                let (sine, cosine) = (self.slope * u).sin_cos();
+                let [sn, cn, dn] = series.at(sine, cosine);
+                [cn, sn, dn]
+            }
+            Shape::Complementary { series, .. } => {
+                let [sn, cn, dn] = series.at_small(self.slope * u);
+                [cn, sn, dn]
+            }
+            Shape::Hyperbolic { .. } => [1.0 / u.cosh(), u.tanh(), 1.0 / u.cosh()],
+        }
+    }
+
+    /// Momentum at a time (s).
+    pub(crate) fn momentum(&self, time: f64) -> DVec3 {
+        self.momentum_of(self.functions(time))
     }
 
     /// `R_z(ψ) P(M)` with the half angle `ψ/2` as the given pair turned by σχ.
