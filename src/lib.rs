@@ -10,5 +10,7 @@ pub mod objects;
 pub mod physics;
 #[cfg(feature = "picture")]
 pub mod render;
+#[cfg(feature = "report")]
+pub mod report;
 pub mod scene;
 pub mod sim;

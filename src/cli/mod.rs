@@ -8,13 +8,15 @@ mod output;
 mod picture;
 #[cfg(feature = "picture")]
 mod quiet_driver;
+#[cfg(feature = "report")]
+mod report;
 mod trace;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use arguments::{PictureArguments, SceneArguments, ViewArguments};
+use arguments::{PictureArguments, ReportArguments, SceneArguments, ViewArguments};
 use failure::Failure;
 
 /// See, teach and measure how a free rigid body turns: the Dzhanibekov effect (tennis-racket theorem).
@@ -60,6 +62,12 @@ enum Command {
   dzhanibekov trace --moments 0.5,0.85,1 --omega 0.4,1.176470588235294,0.4 --method buss --step 0.001 --at 30
   dzhanibekov trace flip --every 0.01 --duration 10 -o flip.csv")]
     Trace(Box<trace::TraceArguments>),
+    /// Measure every method here: speed against error, as a page, tables and plots
+    #[command(after_help = "Examples:
+  dzhanibekov report -o report                  report/report.html and the rest
+  dzhanibekov report --quick --json -           the numbers of two cases
+  dzhanibekov report flip --peers peers.json    a scene besides, and other programs' points")]
+    Report(Box<ReportArguments>),
     /// List the scenes built in
     Scenes(lists::ListArguments),
     /// List the methods
@@ -97,6 +105,10 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         #[cfg(not(feature = "picture"))]
         Some(Command::Shot(_)) => Err(Failure::not_built("pictures", "picture")),
         Some(Command::Trace(trace)) => trace::run(&trace),
+        #[cfg(feature = "report")]
+        Some(Command::Report(report)) => report::run(&report),
+        #[cfg(not(feature = "report"))]
+        Some(Command::Report(_)) => Err(Failure::not_built("the report", "report")),
         Some(Command::Scenes(list)) => lists::scenes(&list),
         Some(Command::Methods(list)) => lists::methods(&list),
         #[cfg(feature = "picture")]
