@@ -64,8 +64,12 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
 }
 
 fn write_folder(report: &Report, folder: &Path) -> Result<(), Failure> {
+    for (name, drawing) in write::plots::all(report) {
+        write_text(&folder.join(format!("{name}.svg")), &drawing.standalone())?;
+    }
     write_text(&folder.join("report.csv"), &write::csv::write(report))?;
-    write_text(&folder.join("report.json"), &write::json::write(report))
+    write_text(&folder.join("report.json"), &write::json::write(report))?;
+    write_text(&folder.join("report.html"), &write::html::write(report))
 }
 
 fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
