@@ -10,6 +10,8 @@ mod picture;
 mod quiet_driver;
 #[cfg(feature = "picture")]
 mod record;
+#[cfg(feature = "report")]
+mod report;
 mod trace;
 
 use std::process::ExitCode;
@@ -72,6 +74,13 @@ enum Command {
   dzhanibekov trace --moments 0.5,0.85,1 --omega 0.4,1.176470588235294,0.4 --method buss --step 0.001 --at 30
   dzhanibekov trace flip --every 0.01 --duration 10 -o flip.csv")]
     Trace(Box<trace::TraceArguments>),
+    #[cfg(feature = "report")]
+    /// Measure every method here: speed against error, as a page, tables and plots
+    #[command(after_help = "Examples:
+  dzhanibekov report -o report                  report/report.html and the rest
+  dzhanibekov report --quick --json -           the numbers of two cases
+  dzhanibekov report flip --peers peers.json    a scene besides, and other programs' points")]
+    Report(Box<arguments::ReportArguments>),
     /// List the scenes built in
     Scenes(lists::ListArguments),
     /// List the methods
@@ -110,6 +119,8 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         #[cfg(feature = "picture")]
         Some(Command::Record(recording)) => record::run(&recording),
         Some(Command::Trace(trace)) => trace::run(&trace),
+        #[cfg(feature = "report")]
+        Some(Command::Report(report)) => report::run(&report),
         Some(Command::Scenes(list)) => lists::scenes(&list),
         Some(Command::Methods(list)) => lists::methods(&list),
         #[cfg(feature = "picture")]
