@@ -3,6 +3,7 @@
 mod arguments;
 mod failure;
 mod lists;
+mod manual;
 mod output;
 #[cfg(feature = "picture")]
 mod picture;
@@ -12,6 +13,7 @@ mod quiet_driver;
 mod record;
 #[cfg(feature = "report")]
 mod report;
+mod signal;
 mod trace;
 
 use std::process::ExitCode;
@@ -88,6 +90,12 @@ enum Command {
     #[cfg(feature = "picture")]
     /// List the graphics adapters
     Adapters(lists::ListArguments),
+    /// Write the man page to standard output: dzhanibekov man | man -l -
+    #[command(hide = true)]
+    Man,
+    /// Write completions for a shell to standard output
+    #[command(hide = true)]
+    Completions(manual::CompletionArguments),
 }
 
 /// Runs the program and turns its outcome into the exit code: 0 done, 1 it could not, 2 the request was wrong.
@@ -125,6 +133,8 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Methods(list)) => lists::methods(&list),
         #[cfg(feature = "picture")]
         Some(Command::Adapters(list)) => picture::adapters(&list),
+        Some(Command::Man) => manual::man(),
+        Some(Command::Completions(completions)) => manual::completions(&completions),
     }
 }
 

@@ -19,6 +19,7 @@ const LARGEST_FILE: u64 = 16 << 20;
 const BAR: f64 = 1000.0;
 
 pub(super) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
+    super::signal::end_at_once()?;
     let scene = if arguments.scene.is_given() { Some(arguments.scene.scene(None, arguments.quiet)?) } else { None };
     let peers = arguments.peers.as_deref().map(read_peers).transpose()?.unwrap_or_default();
     let folder = match (&arguments.output, &arguments.json) {
