@@ -1,4 +1,6 @@
 //! See, teach and measure how a free rigid body turns: the Dzhanibekov effect (tennis-racket theorem).
+#[cfg(feature = "window")]
+pub mod app;
 #[cfg(feature = "picture")]
 pub mod camera;
 #[cfg(feature = "picture")]
@@ -10,5 +12,9 @@ pub mod objects;
 pub mod physics;
 #[cfg(feature = "picture")]
 pub mod render;
+#[cfg(feature = "report")]
+pub mod report;
 pub mod scene;
 pub mod sim;
+#[cfg(feature = "window")]
+pub mod ui;

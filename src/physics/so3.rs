@@ -4,10 +4,6 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-/// Below this squared angle the power series of [`sinc_terms`] are used; the first term left out is then
-/// below `θ⁸/9! < 3e-17` of the leading one.
-const SERIES_BELOW: f64 = 1e-2;
-
 /// The matrix `[v×]` of the cross product: `hat(a) * b = a × b`.
 ///
 /// Lie algebra notation: `ad_a`. Its bracket is the cross product, `[a×][b×] − [b×][a×] = [(a×b)×]`.
@@ -35,21 +31,6 @@ pub fn norm(v: DVec3) -> f64 {
     }
 }
 
-/// `(sin(θ)/θ, (1 − cos θ)/θ²)` from `θ²`, without cancellation near 0.
-fn sinc_terms(angle_squared: f64) -> (f64, f64) {
-    if angle_squared < SERIES_BELOW {
-        let x = angle_squared;
-        (
-            1.0 - x / 6.0 * (1.0 - x / 20.0 * (1.0 - x / 42.0 * (1.0 - x / 72.0))),
-            0.5 - x / 24.0 * (1.0 - x / 30.0 * (1.0 - x / 56.0 * (1.0 - x / 90.0))),
-        )
-    } else {
-        let angle = angle_squared.sqrt();
-        let (half_sine, half_cosine) = (0.5 * angle).sin_cos();
-        (2.0 * half_sine * half_cosine / angle, 2.0 * half_sine * half_sine / angle_squared)
-    }
-}
-
 /// The rotation `exp([v×])` of a rotation vector (rad), by Rodrigues' formula
 /// `1 + sin θ/θ [v×] + (1 − cos θ)/θ² [v×]²`, `θ = |v|`.
 ///
@@ -61,19 +42,38 @@ pub fn exp(v: DVec3) -> DMat3 {
 }
 
 /// The unit quaternion `(cos θ/2, sin(θ/2) v/θ)` of a rotation vector (rad). See [`exp`].
+///
+/// Up to a turn of 1 rad by the power series of cos x and sin x/x in `x² = θ²/4`, which needs no root and no quotient; the first terms
+/// left out are `x¹⁴/15! < 5e-17` and `x¹⁶/16! < 1e-18`.
 #[must_use]
 pub fn exp_quaternion(v: DVec3) -> DQuat {
     let half = 0.5 * v;
-    let angle_squared = half.length_squared();
-    if angle_squared < SERIES_BELOW {
-        let (sinc, one_minus_cosine) = sinc_terms(angle_squared);
-        let w = 1.0 - one_minus_cosine * angle_squared;
-        return DQuat::from_xyzw(sinc * half.x, sinc * half.y, sinc * half.z, w);
+    let x = half.length_squared();
+    if x < 0.25 {
+        let (x2, x4) = (x * x, (x * x) * (x * x));
+        let sinc = ((1.0 - x * (1.0 / 6.0)) + x2 * (1.0 / 120.0 - x * (1.0 / 5_040.0)))
+            + x4 * ((1.0 / 362_880.0 - x * (1.0 / 39_916_800.0)) + x2 * (1.0 / 6_227_020_800.0));
+        let cosine = ((1.0 - x * (1.0 / 2.0)) + x2 * (1.0 / 24.0 - x * (1.0 / 720.0)))
+            + x4 * ((1.0 / 40_320.0 - x * (1.0 / 3_628_800.0))
+                + x2 * (1.0 / 479_001_600.0 - x * (1.0 / 87_178_291_200.0)));
+        return DQuat::from_xyzw(sinc * half.x, sinc * half.y, sinc * half.z, cosine);
     }
     let angle = norm(half);
     let (sine, cosine) = angle.sin_cos();
     let axis = half / angle;
     DQuat::from_xyzw(sine * axis.x, sine * axis.y, sine * axis.z, cosine)
+}
+
+/// `R⁻¹v` for the rotation of a unit quaternion: `v + 2(q₀ v×q + (v×q)×q)`.
+pub(crate) fn rotate_back(q: DQuat, v: DVec3) -> DVec3 {
+    let axis = DVec3::new(q.x, q.y, q.z);
+    let twice = 2.0 * v.cross(axis);
+    v + q.w * twice + twice.cross(axis)
+}
+
+/// Takes a quaternion of almost unit length back to it: `q(3 − |q|²)/2`, which squares the error of the length.
+pub(crate) fn renormalize(q: DQuat) -> DQuat {
+    q * (1.5 - 0.5 * q.length_squared())
 }
 
 /// The unit quaternion of a rotation matrix, by Shepperd's choice of the largest component (no cancellation

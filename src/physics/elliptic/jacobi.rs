@@ -126,6 +126,26 @@ impl Complementary {
     }
 }
 
+impl Complementary {
+    /// `[sn, cn, dn]` from `v = πu/2K′` of at most 2 or so: the same series by sinh and cosh, so that sn keeps all its digits at small u.
+    pub(crate) fn at_small(&self, v: f64) -> [f64; 3] {
+        let q = self.nome;
+        let (q2, q4) = (q * q, q.powi(4));
+        let same = 1.0 + 2.0 * q4 * (4.0 * v).cosh();
+        let other = 2.0 * q * ((2.0 * v).cosh() + q4 * q4 * (6.0 * v).cosh());
+        let odd = |f: fn(f64) -> f64, sign: f64| {
+            f(v) + sign * q2 * f(3.0 * v) + q4 * q2 * f(5.0 * v) + sign * q4 * q4 * q4 * f(7.0 * v)
+        };
+        // The factors hold θ₂(0)/q^¼, which is 2(…); so does θ₂(iv)/q^¼ = 2 Σ cosh.
+        let inverse = 1.0 / odd(f64::cosh, 1.0);
+        [
+            self.factors[0] * odd(f64::sinh, -1.0) * inverse,
+            0.5 * self.factors[1] * (same - other) * inverse,
+            0.5 * self.factors[2] * (same + other) * inverse,
+        ]
+    }
+}
+
 impl Jacobi {
     /// Prepares the functions of complementary parameter `k′²`, `0 ≤ k′² ≤ 1`.
     #[must_use]

@@ -1,8 +1,9 @@
 //! A method at work on a body: steps counted from the start, so that no rounding of the time piles up.
 
-use glam::DMat3;
+use glam::{DMat3, DVec3};
 
-use super::{Method, Stepper};
+use super::{Failure, Keeps, Method, Problem, Stepper};
+use crate::physics::orbit::{power_of_two, split_quotient};
 use crate::physics::{Body, State};
 
 /// Why a method could not go on.
@@ -24,6 +25,14 @@ pub enum MethodError {
         /// The step (s).
         step: f64,
     },
+    /// The time asked for is more steps away than can be counted without rounding, 2⁵³.
+    #[error("{time} s is more than 2^53 steps of {step} s away: take a longer step or the closed form")]
+    TooFar {
+        /// The time (s).
+        time: f64,
+        /// The step (s).
+        step: f64,
+    },
 }
 
 /// A body set in motion by one method with a fixed step.
@@ -33,6 +42,9 @@ pub struct Integration {
     start: State,
     step: f64,
     steps: i64,
+    momentum_unit: f64,
+    /// Two factors that take seconds to the units of the stepper.
+    units_from_seconds: [f64; 2],
     stepper: Box<dyn Stepper>,
 }
 
@@ -53,14 +65,30 @@ impl Integration {
     #[must_use]
     pub fn new(method: &'static Method, body: &Body, start: State, step: f64) -> Self {
         let principal_from_body = body.body_from_principal().transpose();
+        let moments = body.principal_moments();
         let momentum = principal_from_body * start.body_momentum;
-        Self { method, body: *body, start, step, steps: 0, stepper: (method.start)(body.principal_moments(), momentum) }
+        let moment_unit = power_of_two(moments.z);
+        let momentum_unit = power_of_two(momentum.abs().max_element());
+        let problem = Problem {
+            moments: moments / moment_unit,
+            momentum: momentum / momentum_unit,
+            momentum_tail: principal_from_body * start.momentum_tail() / momentum_unit,
+        };
+        let stepper = (method.start)(&problem);
+        let units_from_seconds = split_quotient(momentum_unit, moment_unit);
+        Self { method, body: *body, start, step, steps: 0, momentum_unit, units_from_seconds, stepper }
     }
 
     /// The method.
     #[must_use]
     pub fn method(&self) -> &'static Method {
         self.method
+    }
+
+    /// The step (s).
+    #[must_use]
+    pub fn step(&self) -> f64 {
+        self.step
     }
 
     /// Simulated time since the start (s): steps taken times the step, one rounding.
@@ -75,32 +103,40 @@ impl Integration {
         self.steps
     }
 
-    /// Takes `count` steps, backwards where it is negative.
+    /// Takes `count` steps, backwards where it is negative. Where it fails, the integration stays where it was.
     ///
     /// # Errors
     /// See [`MethodError`].
     pub fn advance(&mut self, count: i64) -> Result<(), MethodError> {
         let signed_step = if count < 0 { -self.step } else { self.step };
-        self.stepper.advance(signed_step, count.unsigned_abs())?;
+        self.stepper.advance(self.in_units(signed_step), count.unsigned_abs()).map_err(|f| self.error(f))?;
         self.steps += count;
         Ok(())
     }
 
-    /// The state at any time (s): whole steps from the start, then one shorter step where the time is no multiple
+    /// The state at any time (s, finite): whole steps from the start, then one shorter step where the time is no multiple
     /// of the step. The integration itself stays on its grid, so what one time gives does not depend on
-    /// which others were asked for. Going back from where it is begins anew at the start.
+    /// which others were asked for. Going back from where it is begins anew at the start. The closed form goes
+    /// to any time at once and moves no step.
     ///
     /// # Errors
     /// See [`MethodError`].
     pub fn state_at(&mut self, time: f64) -> Result<State, MethodError> {
+        if let Some(state) = self.directly(time) {
+            return Ok(state);
+        }
         let ratio = time / self.step;
         let nearest = ratio.round();
         // A quotient within its own rounding of a whole number is that number.
         let is_whole = (ratio - nearest).abs() <= 4.0 * f64::EPSILON * nearest.abs();
         let whole = if is_whole { nearest } else { ratio.trunc() };
+        if whole.abs() >= 2f64.powi(53) {
+            return Err(MethodError::TooFar { time, step: self.step });
+        }
         let target = whole as i64;
-        let is_behind = (target - self.steps).signum() * target.signum() < 0;
-        if is_behind || (target == 0 && self.steps != 0) {
+        // Steps are not undone: what lies behind, or beyond the start, is reached from the start.
+        let is_ahead = self.steps.signum() * target.signum() >= 0 && target.abs() >= self.steps.abs();
+        if !is_ahead {
             *self = Self::new(self.method, &self.body, self.start, self.step);
         }
         self.advance(target - self.steps)?;
@@ -108,8 +144,8 @@ impl Integration {
             return Ok(self.state());
         }
         let mut last = self.stepper.duplicate();
-        last.advance(time - whole * self.step, 1)?;
-        Ok(self.state_of(last.as_ref()))
+        last.advance(self.in_units(time - whole * self.step), 1).map_err(|f| self.error(f))?;
+        Ok(self.state_of(last.attitude(), last.momentum()))
     }
 
     /// The state now.
@@ -118,15 +154,33 @@ impl Integration {
         if self.steps == 0 {
             return self.start;
         }
-        self.state_of(self.stepper.as_ref())
+        self.directly(self.time()).unwrap_or_else(|| self.state_of(self.stepper.attitude(), self.stepper.momentum()))
     }
 
-    fn state_of(&self, stepper: &dyn Stepper) -> State {
+    fn directly(&self, time: f64) -> Option<State> {
+        let (attitude, momentum) = self.stepper.directly(self.in_units(time))?;
+        Some(if time == 0.0 { self.start } else { self.state_of(attitude, momentum) })
+    }
+
+    /// A time (s) in the units of the stepper: exact, as these are powers of two.
+    fn in_units(&self, time: f64) -> f64 {
+        time * self.units_from_seconds[0] * self.units_from_seconds[1]
+    }
+
+    fn error(&self, failure: Failure) -> MethodError {
+        let (method, step) = (self.method.name, self.step);
+        match failure {
+            Failure::NotSolved => MethodError::NotSolved { method, step },
+            Failure::Overflow => MethodError::Overflow { method, step },
+        }
+    }
+
+    fn state_of(&self, attitude: DMat3, momentum: DVec3) -> State {
         let body_from_principal = self.body.body_from_principal();
-        let start_from_now: DMat3 = body_from_principal * stepper.attitude() * body_from_principal.transpose();
+        let start_from_now = body_from_principal * attitude * body_from_principal.transpose();
         let world_from_body = self.start.world_from_body * start_from_now;
-        let body_momentum = body_from_principal * stepper.momentum();
-        let world_momentum = if self.method.keeps_momentum == super::Keeps::Exactly {
+        let body_momentum = body_from_principal * (momentum * self.momentum_unit);
+        let world_momentum = if self.method.keeps_momentum == Keeps::Exactly {
             self.start.world_momentum
         } else {
             world_from_body * body_momentum

@@ -1,8 +1,8 @@
 //! The notes' simple first-order Lie group integrator: the angular velocity is held fixed during a step.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
-use super::lie_group::LieGroup;
+use super::lie_group::{LieGroup, MeanVelocity, turn_by};
 use super::{Keeps, Method, Order};
 
 pub(super) const METHOD: Method = Method {
@@ -16,10 +16,14 @@ pub(super) const METHOD: Method = Method {
     keeps_energy: Keeps::No,
     cost: "one sin/cos",
     source: "lecture notes; Buss, J. Comput. Phys. 164 (2000) 377, first order",
-    start: |moments, momentum| LieGroup::start(METHOD.name, mean_velocity, moments, momentum),
+    start: LieGroup::<LieEuler>::start,
 };
 
 /// `Ω̄ = Ω = I⁻¹M`.
-fn mean_velocity(inverse_moments: DVec3, momentum: DVec3, _step: f64) -> DVec3 {
-    inverse_moments * momentum
+struct LieEuler;
+
+impl MeanVelocity for LieEuler {
+    fn turn(inverse_moments: DVec3, momentum: DVec3, step: f64) -> Option<DQuat> {
+        Some(turn_by(inverse_moments * momentum, step))
+    }
 }

@@ -1,50 +1,52 @@
 //! What the Lie group methods share: the attitude as a unit quaternion, the world momentum held fixed.
 
+use std::marker::PhantomData;
+
 use glam::{DMat3, DQuat, DVec3};
 
-use super::{MethodError, Stepper};
+use super::{Failure, Problem, Stepper};
 use crate::physics::so3;
 
-/// The body's angular velocity over one step, in body components (rad/s): all that sets one method apart from another.
-pub(super) type MeanVelocity = fn(inverse_moments: DVec3, momentum: DVec3, step: f64) -> DVec3;
+/// The body's angular velocity over one step, in body components: all that sets one method apart from another.
+/// `None` where it is the solution of an equation and none was found.
+pub(super) trait MeanVelocity: Send + 'static {
+    fn turn(inverse_moments: DVec3, momentum: DVec3, step: f64) -> Option<DQuat>;
+}
+
+/// The rotation by a mean angular velocity during a step.
+pub(super) fn turn_by(velocity: DVec3, step: f64) -> DQuat {
+    so3::exp_quaternion(step * velocity)
+}
 
 /// `R ← R exp(h[Ω̄×])` with the world momentum fixed: `M = RᵀL` follows from the attitude.
-#[derive(Clone)]
-pub(super) struct LieGroup {
-    name: &'static str,
-    mean_velocity: MeanVelocity,
+pub(super) struct LieGroup<V> {
     inverse_moments: DVec3,
     world_momentum: DVec3,
     attitude: DQuat,
+    rule: PhantomData<fn() -> V>,
 }
 
-impl LieGroup {
-    pub(super) fn start(
-        name: &'static str,
-        mean_velocity: MeanVelocity,
-        moments: DVec3,
-        momentum: DVec3,
-    ) -> Box<dyn Stepper> {
+impl<V: MeanVelocity> LieGroup<V> {
+    pub(super) fn start(problem: &Problem) -> Box<dyn Stepper> {
         Box::new(Self {
-            name,
-            mean_velocity,
-            inverse_moments: moments.recip(),
-            world_momentum: momentum,
+            inverse_moments: problem.moments.recip(),
+            world_momentum: problem.momentum,
             attitude: DQuat::IDENTITY,
+            rule: PhantomData,
         })
     }
 }
 
-impl Stepper for LieGroup {
-    fn advance(&mut self, step: f64, count: u64) -> Result<(), MethodError> {
+impl<V: MeanVelocity> Stepper for LieGroup<V> {
+    fn advance(&mut self, step: f64, count: u64) -> Result<(), Failure> {
         let mut attitude = self.attitude;
         for _ in 0..count {
-            let momentum = attitude.inverse() * self.world_momentum;
-            let velocity = (self.mean_velocity)(self.inverse_moments, momentum, step);
-            attitude = (attitude * so3::exp_quaternion(step * velocity)).normalize();
+            let momentum = so3::rotate_back(attitude, self.world_momentum);
+            let turn = V::turn(self.inverse_moments, momentum, step).ok_or(Failure::NotSolved)?;
+            attitude = so3::renormalize(attitude * turn);
         }
         if !attitude.is_finite() {
-            return Err(MethodError::Overflow { method: self.name, step });
+            return Err(Failure::Overflow);
         }
         self.attitude = attitude;
         Ok(())
@@ -55,10 +57,10 @@ impl Stepper for LieGroup {
     }
 
     fn momentum(&self) -> DVec3 {
-        self.attitude.inverse() * self.world_momentum
+        so3::rotate_back(self.attitude, self.world_momentum)
     }
 
     fn duplicate(&self) -> Box<dyn Stepper> {
-        Box::new(self.clone())
+        Box::new(Self { rule: PhantomData, ..*self })
     }
 }

@@ -3,10 +3,18 @@
 //! A method is one file in this folder and one row of [`METHODS`]; the window's list, the command line's names, the
 //! report, the colours and the tests all read that table.
 
+mod backward_euler;
 mod buss;
+mod closed_form;
+mod exact_step;
+mod forward_euler;
 mod integration;
 mod lie_euler;
 mod lie_group;
+mod linear;
+mod magnus4;
+mod moser_veselov;
+mod rk4;
 
 use glam::{DMat3, DVec3};
 
@@ -32,22 +40,49 @@ pub enum Keeps {
     No,
 }
 
-/// The solver a method runs on, in the principal frame of the body at the start.
+/// What a solver is started with: a body at its start, in its principal frame there.
+///
+/// Units are powers of two near the body's own inertia and momentum, so that all numbers are near 1 at any scale.
+#[derive(Clone, Copy, Debug)]
+pub struct Problem {
+    /// Principal moments, ascending.
+    pub moments: DVec3,
+    /// Momentum in the principal frame.
+    pub momentum: DVec3,
+    /// What rounding cut off the momentum.
+    pub momentum_tail: DVec3,
+}
+
+/// Why a solver could not take its steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// The equation of an implicit step was not solved.
+    NotSolved,
+    /// The state grew past the range of f64.
+    Overflow,
+}
+
+/// The solver a method runs on, in the principal frame of the body at the start, in the units of its [`Problem`].
 ///
 /// All its quantities are relative to the start: `attitude` begins at the identity, so world components are
 /// the principal components of the start, and the world momentum is the momentum it was started with.
 pub trait Stepper: Send {
-    /// Takes `count` steps of length `step` (s), which may be negative.
+    /// Takes `count` steps of length `step`, which may be negative.
     ///
     /// # Errors
-    /// A step that cannot be solved, or a state that is no longer finite; the state is then the last good one.
-    fn advance(&mut self, step: f64, count: u64) -> Result<(), MethodError>;
+    /// A step that cannot be solved, or a state that is no longer finite; the state is then what it was before the call.
+    fn advance(&mut self, step: f64, count: u64) -> Result<(), Failure>;
 
     /// Attitude relative to the start: takes principal components now to principal components of the start.
     fn attitude(&self) -> DMat3;
 
-    /// Momentum in the principal frame (kg m²/s).
+    /// Momentum in the principal frame.
     fn momentum(&self) -> DVec3;
+
+    /// Attitude and momentum at a time from the start, of a method that needs no steps to get there.
+    fn directly(&self, _time: f64) -> Option<(DMat3, DVec3)> {
+        None
+    }
 
     /// A copy that runs on its own.
     fn duplicate(&self) -> Box<dyn Stepper>;
@@ -76,15 +111,25 @@ pub struct Method {
     pub cost: &'static str,
     /// Where the method is published.
     pub source: &'static str,
-    /// Starts a solver from principal moments (kg m², ascending) and the momentum in the principal frame.
-    pub start: fn(moments: DVec3, momentum: DVec3) -> Box<dyn Stepper>,
+    /// Starts a solver.
+    pub start: fn(&Problem) -> Box<dyn Stepper>,
 }
 
 /// The methods, in the order in which lists show them.
-pub static METHODS: &[Method] = &[lie_euler::METHOD, buss::METHOD];
+pub static METHODS: &[Method] = &[
+    forward_euler::METHOD,
+    backward_euler::METHOD,
+    rk4::METHOD,
+    lie_euler::METHOD,
+    buss::METHOD,
+    magnus4::METHOD,
+    moser_veselov::METHOD,
+    exact_step::METHOD,
+    closed_form::METHOD,
+];
 
 /// The method a scene has that names none.
-pub const DEFAULT_METHOD: &str = "buss";
+pub const DEFAULT_METHOD: &str = "exact-step";
 
 /// Looks a method up by its name.
 #[must_use]

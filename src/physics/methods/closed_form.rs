@@ -1,0 +1,72 @@
+//! The motion in closed form, as a method among the others: it goes to any time at once.
+
+use glam::{DMat3, DVec3};
+
+use super::{Failure, Keeps, Method, Order, Problem, Stepper};
+use crate::physics::exact::Path;
+use crate::physics::orbit::Orbit;
+
+pub(super) const METHOD: Method = Method {
+    name: "closed-form",
+    label: "Closed form",
+    order: Order::Exact,
+    explicit: true,
+    symplectic: true,
+    keeps_momentum: Keeps::Exactly,
+    keeps_rotation: Keeps::Exactly,
+    keeps_energy: Keeps::Exactly,
+    cost: "two sin/cos and two dozen series terms, whatever the time",
+    source: "Jacobi, J. reine angew. Math. 39 (1849) 293; van Zon & Schofield, J. Comput. Phys. 225 (2007) 145",
+    start: |problem| Box::new(ClosedForm::new(problem)),
+};
+
+/// A prepared motion and where it has been asked to be.
+#[derive(Clone)]
+struct ClosedForm {
+    path: Path,
+    principal_from_standard: DMat3,
+    momentum_unit: f64,
+    time: f64,
+}
+
+impl ClosedForm {
+    fn new(problem: &Problem) -> Self {
+        let orbit = Orbit::new(problem.moments, problem.momentum, problem.momentum_tail);
+        Self {
+            path: Path::new(&orbit),
+            principal_from_standard: orbit.principal_from_standard,
+            momentum_unit: orbit.momentum_unit,
+            time: 0.0,
+        }
+    }
+
+    fn at(&self, time: f64) -> (DMat3, DVec3) {
+        let (turned, momentum) = self.path.at(time);
+        let attitude =
+            self.principal_from_standard * DMat3::from_quat(turned) * self.principal_from_standard.transpose();
+        (attitude, self.principal_from_standard * (momentum * self.momentum_unit))
+    }
+}
+
+impl Stepper for ClosedForm {
+    fn advance(&mut self, step: f64, count: u64) -> Result<(), Failure> {
+        self.time += step * count as f64;
+        Ok(())
+    }
+
+    fn attitude(&self) -> DMat3 {
+        self.at(self.time).0
+    }
+
+    fn momentum(&self) -> DVec3 {
+        self.at(self.time).1
+    }
+
+    fn directly(&self, time: f64) -> Option<(DMat3, DVec3)> {
+        Some(self.at(time))
+    }
+
+    fn duplicate(&self) -> Box<dyn Stepper> {
+        Box::new(self.clone())
+    }
+}
