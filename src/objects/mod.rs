@@ -7,6 +7,7 @@ mod axes;
 mod body;
 mod body_axes;
 mod context;
+mod curve;
 mod floor;
 mod ghosts;
 mod layout;
@@ -100,6 +101,9 @@ pub fn build_frame(simulation: &Simulation, settings: &scene::View, cameras: &Ca
         .into_iter()
         .map(|(space, area)| {
             let mut view = View::new(area, *cameras.of(space));
+            if space == Space::Body {
+                view.camera.distance *= surfaces::room(&context);
+            }
             for object in OBJECTS.iter().filter(|object| object.space == space && is_shown(object, settings)) {
                 (object.draw)(&context, &mut view);
             }

@@ -18,10 +18,11 @@ use crate::frame::Frame;
 /// took half as long again with no GPU, and a transparent picture then looked another on a slide.)
 pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// Pixels a point in a picture of this size, so that it looks the same at each size of one aspect: 1 at 1280×720.
+/// Pixels a point in a picture of this size, so that it looks the same at each size of one aspect: 1 at 1280×720 and
+/// at 720×1280.
 #[must_use]
 pub fn point_size([width, height]: [u32; 2]) -> f32 {
-    (width as f32 / 1280.0).min(height as f32 / 720.0)
+    (width.max(height) as f32 / 1280.0).min(width.min(height) as f32 / 720.0)
 }
 
 /// The pipelines and the reused buffers. One serves window and file alike.
