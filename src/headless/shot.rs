@@ -1,9 +1,8 @@
 //! One picture.
 
-use super::png::encode;
 use crate::frame::Frame;
 use crate::objects::{Cameras, build_frame};
-use crate::render::{Canvas, Gpu, GpuError, Pixels, Renderer, point_size};
+use crate::render::{Canvas, Gpu, GpuError, Pixels, Renderer, encode_png, point_size};
 use crate::sim::Simulation;
 
 /// Why there is no picture.
@@ -109,5 +108,5 @@ pub fn shot(simulation: &Simulation, options: &ShotOptions) -> Result<Vec<u8>, H
     let mut frame = build_frame(simulation, view, &Cameras::new(view), studio.aspect());
     frame.transparent = options.transparent;
     let pixels = studio.draw(&frame)?;
-    Ok(encode(&pixels, options.transparent)?)
+    Ok(encode_png(&pixels, options.transparent)?)
 }

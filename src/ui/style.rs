@@ -19,6 +19,8 @@ pub fn install(ctx: &Context) {
         family.push("Hack".to_owned());
     }
     ctx.set_fonts(fonts);
+    // The keys for the size of text are in the table of keys.
+    ctx.options_mut(|options| options.zoom_with_keyboard = false);
     for theme in [egui::Theme::Dark, egui::Theme::Light] {
         ctx.style_mut_of(theme, |style| {
             style.text_styles = [

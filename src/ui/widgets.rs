@@ -99,3 +99,9 @@ pub(super) fn section(ui: &mut Ui, name: &str) {
 pub(super) fn note(ui: &mut Ui, text: impl Into<String>) {
     ui.label(RichText::new(text).small().weak());
 }
+
+/// Where the middle of the handle moves, in a row that spans slider and number: it stays within by its own radius.
+pub(super) fn slider_track(row: egui::Rect) -> egui::Rect {
+    let right = row.right() - VALUE_WIDTH - 8.0;
+    egui::Rect::from_min_max(row.min, egui::pos2(right, row.bottom())).shrink2(vec2(row.height() / 2.5, 0.0))
+}

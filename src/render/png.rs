@@ -1,13 +1,13 @@
 //! PNG, fast.
 
-use crate::render::Pixels;
+use super::Pixels;
 
 /// The picture as a PNG file. One drawn transparent keeps its opacity, with straight colours as PNG wants them; any
 /// other is written without.
 ///
 /// # Errors
 /// None but for a picture with no pixels.
-pub fn encode(pixels: &Pixels, transparent: bool) -> Result<Vec<u8>, png::EncodingError> {
+pub fn encode_png(pixels: &Pixels, transparent: bool) -> Result<Vec<u8>, png::EncodingError> {
     let [width, height] = pixels.size;
     let mut bytes = vec![];
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
