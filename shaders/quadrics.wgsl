@@ -67,7 +67,7 @@ fn wall(quadric: Quadric, sight: Sight, depth: f32, coverage: f32) -> Wall {
     let outer = facing > 0.0;
     // A thin wall takes more light the more aslant it is seen, so the rim reads as a rim.
     let alpha = quadric.color.a;
-    let opacity = alpha / (alpha + (1.0 - alpha) * max(abs(facing), 0.12));
+    let opacity = alpha / (alpha + (1.0 - alpha) * max(abs(facing), 0.2));
     let color = lit(quadric.color.rgb, select(-outward, outward, outer), sight.half_way, select(0.0, 0.12, outer));
     let shown = select(0.0, opacity * coverage, depth > view.eye.w);
     return Wall(depth, vec4f(color * (select(0.8, 1.0, outer) * shown), shown));

@@ -21,7 +21,7 @@ struct Corner {
 @vertex
 fn vertex(glyph: Glyph, @builtin(vertex_index) index: u32) -> Corner {
     let halo = glyph.source.z;
-    let at = strip_corner(index) * (glyph.place.zw + 2.0 * halo) - halo;
+    let at = quad_corner(index) * (glyph.place.zw + 2.0 * halo) - halo;
     let pixel = glyph.place.xy + at;
     let ndc = vec2f(2.0, -2.0) * pixel / view.metrics.xy + vec2f(-1.0, 1.0);
     let box = vec4f(glyph.source.xy, glyph.source.xy + glyph.place.zw);
@@ -46,9 +46,8 @@ fn fragment(in: Corner) -> @location(0) vec4f {
             cover = max(cover, coverage(in.texel + 0.6 * away, in.box));
         }
     } else {
-        // The font is a light one, and blending in linear light thins dark text on a light ground further.
-        let lightness = dot(in.color.rgb, vec3f(0.2126, 0.7152, 0.0722));
-        cover = pow(cover, mix(0.5, 0.8, sqrt(lightness)));
+        // The font is a light one: it is read from far when its edges are drawn fuller.
+        cover = pow(cover, 0.62);
     }
     let opacity = cover * in.color.a;
     if opacity <= 0.0 {

@@ -31,10 +31,11 @@ fn lit(color: vec3f, normal: vec3f, half_way: vec3f, gloss: f32) -> vec3f {
     let s4 = s2 * s2;
     let s8 = s4 * s4;
     let s16 = s8 * s8;
-    return color * light + vec3f(gloss * s16 * s16);
+    // Colours are encoded, light is not: the root stands for the encoding.
+    return color * sqrt(light) + vec3f(gloss * s16 * s16);
 }
 
-// The texts' quads are two triangles of a strip: corners (0,0), (1,0), (0,1), (1,1).
-fn strip_corner(index: u32) -> vec2f {
-    return vec2f(f32(index & 1u), f32(index >> 1u));
+// The corners of a quad: (0,0), (1,0), (0,1), (1,1).
+fn quad_corner(index: u32) -> vec2f {
+    return vec2f(f32(index & 1u), f32((index >> 1u) & 1u));
 }

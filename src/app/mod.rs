@@ -24,6 +24,7 @@ use web_time::Instant;
 
 pub use startup::WindowError;
 
+use crate::render::Pixels;
 use crate::scene::Scene;
 use crate::ui::{Command, Panels};
 use open::OpenWindow;
@@ -32,13 +33,18 @@ use remember::Remembered;
 use session::{Request, Session};
 
 /// How the window is opened.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct WindowOptions {
     /// Its size in pixels.
     pub size: Option<[u32; 2]>,
     /// A part of the name of the graphics adapter to draw with.
     pub adapter: Option<String>,
+    /// Makes a PNG file of a picture, transparent or not.
+    pub encode_png: EncodePng,
 }
+
+/// Makes a PNG file of a picture, transparent or not; or says why it could not.
+pub type EncodePng = fn(&Pixels, bool) -> Result<Vec<u8>, String>;
 
 /// Opens the window on a scene and returns when it is closed.
 ///
@@ -154,7 +160,7 @@ impl App {
                 }
                 Request::Picture { transparent } => {
                     if let Some(window) = &mut self.window {
-                        let outcome = window.write_picture(&self.session, transparent);
+                        let outcome = window.write_picture(&self.session, transparent, self.options.encode_png);
                         self.session.say(outcome.unwrap_or_else(|why| why));
                     }
                 }

@@ -13,7 +13,7 @@ use super::files;
 use super::remember::Remembered;
 use super::screen::{Painted, Screen};
 use super::session::Session;
-use super::{Wake, WindowError, WindowOptions};
+use super::{EncodePng, Wake, WindowError, WindowOptions};
 use crate::objects;
 use crate::ui::{Command, Panels, Pixels, keys, style};
 
@@ -200,12 +200,17 @@ impl OpenWindow {
     }
 
     /// Writes the picture as it is, as large as the window; says where.
-    pub(super) fn write_picture(&mut self, session: &Session, transparent: bool) -> Result<String, String> {
+    pub(super) fn write_picture(
+        &mut self,
+        session: &Session,
+        transparent: bool,
+        encode: EncodePng,
+    ) -> Result<String, String> {
         let (width, height) = self.screen.size();
         let aspect = width as f32 / height as f32;
         let mut frame = objects::build_frame(&session.sim, &session.scene.view, &session.cameras, aspect);
         frame.transparent = transparent;
-        let bytes = self.screen.picture_file(&frame, [width, height])?;
+        let bytes = encode(&self.screen.picture(&frame, [width, height])?, transparent)?;
         let path = files::write_new(&session.scene.file.title, "png", &bytes)?;
         Ok(format!("Written to {}", path.display()))
     }

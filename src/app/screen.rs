@@ -10,7 +10,7 @@ use super::WindowError;
 use super::compose::Compose;
 use super::surface::{Acquired, Surface};
 use crate::frame::Frame;
-use crate::render::{Canvas, Gpu, Renderer, encode_png, point_size};
+use crate::render::{Canvas, Gpu, Pixels, Renderer, point_size};
 
 /// The device, the window's surface and what is drawn with.
 pub(super) struct Screen {
@@ -98,12 +98,11 @@ impl Screen {
         }
     }
 
-    /// Draws a picture apart from the window, as the bytes of a PNG file.
-    pub(super) fn picture_file(&mut self, frame: &Frame, size: [u32; 2]) -> Result<Vec<u8>, String> {
+    /// Draws a picture apart from the window.
+    pub(super) fn picture(&mut self, frame: &Frame, size: [u32; 2]) -> Result<Pixels, String> {
         let canvas = Canvas::new(&self.gpu, size);
         self.renderer.render(&self.gpu, frame, canvas.view(), size, point_size(size));
-        let pixels = canvas.read(&self.gpu).map_err(|error| error.to_string())?;
-        encode_png(&pixels, frame.transparent).map_err(|error| error.to_string())
+        canvas.read(&self.gpu).map_err(|error| error.to_string())
     }
 
     /// Draws the picture at its place, the panels on top, and presents. False where it should be tried again soon.

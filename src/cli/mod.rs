@@ -8,13 +8,15 @@ mod output;
 mod picture;
 #[cfg(feature = "picture")]
 mod quiet_driver;
+#[cfg(feature = "picture")]
+mod record;
 mod trace;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use arguments::{PictureArguments, SceneArguments, ViewArguments};
+use arguments::{SceneArguments, ViewArguments};
 use failure::Failure;
 
 /// See, teach and measure how a free rigid body turns: the Dzhanibekov effect (tennis-racket theorem).
@@ -48,12 +50,22 @@ struct Arguments {
 
 #[derive(Subcommand, Debug)]
 enum Command {
+    #[cfg(feature = "picture")]
     /// Draw one picture to a file, with no window and no display
     #[command(after_help = "Examples:
   dzhanibekov shot flip -o flip.png
   dzhanibekov shot flip --time 2.5 --size 3840x2160 --theme light -o flip.png
   dzhanibekov shot --moments 1,2,3 --omega 0,1,0.001 --view body -o - | display")]
-    Shot(Box<PictureArguments>),
+    Shot(Box<picture::ShotArguments>),
+    #[cfg(feature = "picture")]
+    /// Record moving pictures: numbered PNG files, GIF, animated PNG, MP4, or a stream
+    #[command(after_help = "Examples:
+  dzhanibekov record flip -o frame-{:05}.png --fps 60 --duration 10
+  dzhanibekov record flip -o flip.gif --fps 50 --duration 5 --size 640x360
+  dzhanibekov record flip -o flip.mp4 --duration 20 --size 1920x1080
+  dzhanibekov record flip -o - | ffplay -
+  dzhanibekov record flip -o frame-{:05}.png --frames 0..300 --keep")]
+    Record(Box<record::RecordArguments>),
     /// Write the motion as numbers (CSV)
     #[command(after_help = "Examples:
   dzhanibekov trace flip --at 0,1,10
@@ -64,6 +76,7 @@ enum Command {
     Scenes(lists::ListArguments),
     /// List the methods
     Methods(lists::ListArguments),
+    #[cfg(feature = "picture")]
     /// List the graphics adapters
     Adapters(lists::ListArguments),
 }
@@ -94,15 +107,13 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         None => window(&arguments),
         #[cfg(feature = "picture")]
         Some(Command::Shot(shot)) => picture::shot(&shot),
-        #[cfg(not(feature = "picture"))]
-        Some(Command::Shot(_)) => Err(Failure::not_built("pictures", "picture")),
+        #[cfg(feature = "picture")]
+        Some(Command::Record(recording)) => record::run(&recording),
         Some(Command::Trace(trace)) => trace::run(&trace),
         Some(Command::Scenes(list)) => lists::scenes(&list),
         Some(Command::Methods(list)) => lists::methods(&list),
         #[cfg(feature = "picture")]
         Some(Command::Adapters(list)) => picture::adapters(&list),
-        #[cfg(not(feature = "picture"))]
-        Some(Command::Adapters(_)) => Err(Failure::not_built("pictures", "picture")),
     }
 }
 
@@ -110,8 +121,12 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
     let scene = arguments.scene.scene(Some(&arguments.view), arguments.quiet)?;
     #[cfg(feature = "window")]
     {
+        picture::check_objects(&scene)?;
         let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
-        let options = dzhanibekov::app::WindowOptions { size, adapter: arguments.adapter.clone() };
+        let encode_png = |pixels: &dzhanibekov::render::Pixels, transparent| {
+            dzhanibekov::headless::encode(pixels, transparent, &[]).map_err(|error| error.to_string())
+        };
+        let options = dzhanibekov::app::WindowOptions { size, adapter: arguments.adapter.clone(), encode_png };
         dzhanibekov::app::run(scene, options).map_err(|error| Failure::could(error.to_string()))
     }
     #[cfg(not(feature = "window"))]

@@ -46,9 +46,24 @@ pub(crate) struct Orbit {
     /// The modulus `k` and the complementary modulus `k′`, each from its own product.
     pub(crate) modulus: f64,
     pub(crate) complementary_modulus: f64,
-    /// Seconds in a unit of time, as two factors whose quotient may be beyond f64.
+    /// The units; that of time is their quotient, which may be out of the range of f64.
     pub(crate) moment_unit: f64,
     pub(crate) momentum_unit: f64,
+}
+
+/// Moments further apart than this are taken as this far apart, so that no product here leaves the range of f64: `2⁻¹⁸⁰`.
+const SMALLEST_RATIO: f64 = 6.525_304_467_998_525e-55;
+
+/// Components of the momentum below this share of it are taken as 0.
+const SMALLEST_SHARE: f64 = 1e-280;
+
+/// Two powers of two whose product is `a/b`, for powers of two a and b: the quotient itself may be out of range.
+pub(crate) fn split_quotient(a: f64, b: f64) -> [f64; 2] {
+    let exponent = |x: f64| (x.to_bits() >> 52).cast_signed() - 1023;
+    let power = |e: i64| f64::from_bits((e.clamp(-1022, 1023) + 1023).cast_unsigned() << 52);
+    let whole = exponent(a) - exponent(b);
+    let half = whole.div_euclid(2);
+    [power(half), power(whole - half)]
 }
 
 /// The power of two at or below a positive number.
@@ -68,8 +83,9 @@ impl Orbit {
     pub(crate) fn new(moments: DVec3, momentum: DVec3, momentum_tail: DVec3) -> Self {
         let moment_unit = power_of_two(moments.z);
         let momentum_unit = power_of_two(momentum.abs().max_element());
-        let moments = (moments / moment_unit).max(DVec3::splat(f64::MIN_POSITIVE));
-        let momentum = momentum / momentum_unit;
+        let moments = (moments / moment_unit).max(DVec3::splat(SMALLEST_RATIO));
+        // A share this small moves nothing else, and its products would leave the range of f64.
+        let momentum = (momentum / momentum_unit).map(|m| if m.abs() < SMALLEST_SHARE { 0.0 } else { m });
         let tail = momentum_tail / momentum_unit;
         let pair = |i: usize| DoubleDouble::sum(momentum[i], tail[i]);
 
@@ -164,6 +180,17 @@ impl Orbit {
             momentum.z.hypot(momentum.y * root(i3 / i2 * (i21 / i31))),
         );
         orbit
+    }
+
+    /// Two factors that take seconds to the orbit's units of time.
+    pub(crate) fn units_from_seconds(&self) -> [f64; 2] {
+        split_quotient(self.momentum_unit, self.moment_unit)
+    }
+
+    /// A time in the orbit's units in seconds.
+    pub(crate) fn seconds(&self, time: f64) -> f64 {
+        let [first, second] = split_quotient(self.moment_unit, self.momentum_unit);
+        time * first * second
     }
 
     /// `u₀`, in `[−K, K]`, where `M₁ ≥ 0`.

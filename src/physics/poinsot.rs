@@ -235,7 +235,7 @@ pub fn herpolhode_radii(body: &Body, body_momentum: DVec3) -> (f64, f64) {
 #[must_use]
 pub fn flip_period(body: &Body, body_momentum: DVec3) -> Option<f64> {
     let orbit = Orbit::of(body, body_momentum);
-    let period = PI / orbit.phase_rate() * orbit.moment_unit / orbit.momentum_unit;
+    let period = orbit.seconds(PI / orbit.phase_rate());
     (flips(&orbit) && orbit.kind == Kind::Circling && period.is_finite()).then_some(period)
 }
 
@@ -247,7 +247,7 @@ pub fn next_flip(body: &Body, body_momentum: DVec3) -> Option<f64> {
     let orbit = Orbit::of(body, body_momentum);
     let start = orbit.start_phase();
     let wait = if orbit.kind == Kind::Circling && start >= 0.0 { 2.0 * orbit.quarter_period() - start } else { -start };
-    let time = wait / orbit.rate.value() * orbit.moment_unit / orbit.momentum_unit;
+    let time = orbit.seconds(wait / orbit.rate.value());
     (flips(&orbit) && wait > 0.0 && time.is_finite()).then_some(time)
 }
 

@@ -102,6 +102,7 @@ impl Glyphs {
             let id = font.glyph_id(character);
             if let Some((font_before, id_before)) = before
                 && font_before == number
+                && character != ' '
             {
                 pen += font.kern(id_before, id);
             }

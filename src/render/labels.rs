@@ -86,8 +86,8 @@ fn candidates(label: &Label, anchor: Vec2, half: Vec2, point: f32) -> impl Itera
     TURNS.into_iter().flat_map(move |turn| {
         [1.0, 2.2].map(|reach| {
             let direction = Vec2::from_angle(turn.to_radians()).rotate(wanted);
-            // Far enough out that the box just clears the gap.
-            let clear = (half.x / direction.x.abs().max(1e-3)).min(half.y / direction.y.abs().max(1e-3));
+            // Far enough out that the whole box lies beyond the gap, seen in that direction.
+            let clear = half.dot(direction.abs());
             let centre = anchor + direction * (clear + gap * reach);
             (centre, turn.abs() / 60.0 + (reach - 1.0))
         })

@@ -6,7 +6,6 @@ mod gpu;
 mod labels;
 mod line;
 mod pipeline;
-mod png;
 mod point;
 mod quadrics;
 mod readback;
@@ -17,6 +16,5 @@ mod text;
 mod view;
 
 pub use gpu::{AdapterDescription, Gpu, GpuError, adapters, no_adapter};
-pub use png::encode_png;
 pub use readback::{Canvas, Pixels};
 pub use renderer::{FORMAT, Renderer, point_size};

@@ -60,7 +60,6 @@ impl Quadrics {
                     attributes: &wgpu::vertex_attr_array![0 => Float32x2],
                 }),
                 group: Some(uniforms.layout()),
-                strips: false,
                 cull: None,
                 depth: wgpu::CompareFunction::GreaterEqual,
                 writes_depth,

@@ -1,11 +1,11 @@
-//! Texts: glyphs of an atlas as instanced quads, with a halo that keeps them readable over anything.
+//! Texts: glyphs of an atlas as quads, with a halo that keeps them readable over anything.
 
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 use glam::Vec2;
 
-use super::buffer::FrameBuffer;
+use super::buffer::QuadBuffer;
 use super::glyphs::{Glyphs, TextLine};
 use super::labels;
 use super::pipeline::{PipelineMaker, Recipe};
@@ -32,7 +32,7 @@ pub(super) struct Texts {
     group: wgpu::BindGroup,
     atlas: wgpu::Texture,
     glyphs: Glyphs,
-    instances: FrameBuffer,
+    instances: QuadBuffer,
     views: Vec<Range<u32>>,
 }
 
@@ -82,16 +82,15 @@ impl Texts {
             vertex: "vertex",
             buffer: Some(wgpu::VertexBufferLayout {
                 array_stride: size_of::<GlyphData>() as u64,
-                step_mode: wgpu::VertexStepMode::Instance,
+                step_mode: wgpu::VertexStepMode::Vertex,
                 attributes: &wgpu::vertex_attr_array![0 => Float32x4, 1 => Float32x3, 2 => Float32x4],
             }),
             group: Some(&layout),
-            strips: true,
             cull: None,
             depth: wgpu::CompareFunction::Always,
             writes_depth: false,
         });
-        let instances = FrameBuffer::new("glyphs", wgpu::BufferUsages::VERTEX);
+        let instances = QuadBuffer::new("glyphs");
         Self { pipeline, group, atlas, glyphs: Glyphs::new(), instances, views: vec![] }
     }
 
@@ -124,7 +123,7 @@ impl Texts {
             }
             self.views.push(start..instances.len() as u32);
         }
-        self.instances.write(device, queue, bytemuck::cast_slice(&instances));
+        self.instances.write(device, queue, &instances);
         if let Some(pixels) = self.glyphs.take_changed() {
             let layout =
                 wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(Glyphs::SIDE), rows_per_image: None };
@@ -133,14 +132,13 @@ impl Texts {
     }
 
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        let (Some(instances), Some(range)) = (self.instances.get(), self.views.get(view)) else { return };
-        if range.is_empty() {
+        let Some(range) = self.views.get(view).filter(|range| !range.is_empty()) else { return };
+        if !self.instances.bind(pass) {
             return;
         }
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(1, &self.group, &[]);
-        pass.set_vertex_buffer(0, instances.slice(..));
-        pass.draw(0..4, range.clone());
+        QuadBuffer::draw(pass, range.clone());
     }
 }
 

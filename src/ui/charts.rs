@@ -127,6 +127,8 @@ fn plot<'a>(name: &'static str, look: &Look<'_>) -> Plot<'a> {
         .x_axis_formatter(|mark, _| {
             format!("{} s", super::numbers::trimmed(&super::numbers::significant(mark.value, 6)))
         })
+        .grid_spacing(egui::Rangef::new(14.0, 120.0))
+        .grid_color(Color32::GRAY)
         .y_axis_min_width(38.0)
         .legend(Legend::default().position(Corner::LeftTop).background_alpha(0.6).text_style(egui::TextStyle::Small))
         .label_formatter(|_| None)

@@ -35,11 +35,20 @@ pub struct Outcome {
     pub picture: Rect,
 }
 
+/// The two halves of the panel: few enough things at a time that nothing has to be scrolled.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Tab {
+    #[default]
+    Motion,
+    Methods,
+}
+
 /// All panels.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Panels {
     charts: charts::Charts,
     viewport: viewport::Viewport,
+    tab: Tab,
     /// Whether the keyboard's focus is to move into the panel.
     focus_wanted: bool,
 }
@@ -90,11 +99,25 @@ impl Panels {
                 if std::mem::take(&mut self.focus_wanted) {
                     title.request_focus();
                 }
-                body::show(ui, look, commands);
-                spin::show(ui, look, commands);
-                method::show(ui, look, commands);
-                readouts::show(ui, look);
-                footer(ui, commands);
+                let tabs = [
+                    (Tab::Motion, "Motion", "The body and how it starts"),
+                    (Tab::Methods, "Methods", "How the motion is followed, and how well"),
+                ];
+                if let Some(tab) = widgets::choice(ui, Some(self.tab), &tabs) {
+                    self.tab = tab;
+                }
+                match self.tab {
+                    Tab::Motion => {
+                        body::show(ui, look, commands);
+                        spin::show(ui, look, commands);
+                        readouts::motion(ui, look);
+                    }
+                    Tab::Methods => {
+                        method::show(ui, look, commands);
+                        readouts::errors(ui, look);
+                        footer(ui, commands);
+                    }
+                }
             });
         });
     }

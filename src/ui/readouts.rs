@@ -8,8 +8,8 @@ use super::{Look, numbers, style};
 use crate::physics::{poinsot, so3};
 use crate::sim::Errors;
 
-/// Shows it.
-pub(super) fn show(ui: &mut Ui, look: &Look<'_>) {
+/// What stays the same and what turns.
+pub(super) fn motion(ui: &mut Ui, look: &Look<'_>) {
     section(ui, "Motion");
     let scene = look.scene;
     let start = &scene.start;
@@ -23,7 +23,14 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>) {
     let angles = omega.to_array().map(|along| format!("{:.0}°", angle(along)));
     line(ui, "ω from axes 1, 2, 3", &angles.join("  "));
 
+    let drift = [look.sim.energy_error(), look.sim.momentum_error()];
+    line(ui, "drift of K and L", &drift.map(numbers::scientific_short).join("  "));
+}
+
+/// How far each method strays.
+pub(super) fn errors(ui: &mut Ui, look: &Look<'_>) {
     section(ui, "Errors");
+    let scene = look.scene;
     let time = look.sim.time();
     let is_dark = ui.visuals().dark_mode;
     Grid::new("errors").num_columns(4).spacing([8.0, 4.0]).min_col_width(48.0).show(ui, |ui| {

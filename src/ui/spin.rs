@@ -136,13 +136,8 @@ fn energy(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let x = slider.left() + (percent(middle) / 100.0) as f32 * slider.width();
     let color = super::style::warning(ui.visuals().dark_mode);
     ui.painter().vline(x, slider.y_range().shrink(3.0), Stroke::new(2.0, color));
-    let soft = ui.visuals().weak_text_color.unwrap_or(color);
-    let (_, space) = ui.allocate_space(egui::vec2(ui.available_width(), 9.0));
-    let y = space.top() - 5.0;
-    let name = |x: f32, align, text: &str, color| {
-        ui.painter().text(egui::pos2(x, y), align, text, FontId::proportional(11.0), color);
-    };
-    name(slider.left(), Align2::LEFT_TOP, "3", soft);
-    name(x, Align2::CENTER_TOP, "separatrix", color);
-    name(slider.right(), Align2::RIGHT_TOP, "1", soft);
+    // Below the tick, kept within the row.
+    let (_, space) = ui.allocate_space(egui::vec2(ui.available_width(), 8.0));
+    let place = egui::pos2(x.clamp(slider.left() + 20.0, slider.right() - 20.0), space.top() - 6.0);
+    ui.painter().text(place, Align2::CENTER_TOP, "separatrix", FontId::proportional(11.0), color);
 }

@@ -76,7 +76,7 @@ fn flips(ui: &mut Ui, look: &Look<'_>) {
                 ui.label(words("no flip comes any more".to_owned()));
             }
             _ => {
-                ui.label(words("it never flips".to_owned()));
+                ui.label(words("it does not flip".to_owned()));
             }
         }
         if let Some(period) = look.timeline.period {

@@ -10,6 +10,8 @@ use crate::ui::{SPEED_POWERS, Timeline};
 pub(super) const MOST_STEPS: f64 = 2e6;
 /// Flips that the scrub bar shows from the start.
 const FLIPS_AHEAD: f64 = 5.0;
+/// Share of the momentum that must lie along the middle axis at times for the body to be seen turning over.
+const TURNS_OVER: f64 = 0.8;
 /// How long before a flip one arrives (s of real time).
 const BEFORE_FLIP: f64 = 0.7;
 
@@ -120,7 +122,8 @@ impl Session {
 /// What can be said of a scene's motion before it is run.
 fn timeline_of(scene: &crate::scene::Scene) -> Timeline {
     let momentum = scene.start.body_momentum;
-    let first_flip = poinsot::next_flip(&scene.body, momentum);
+    // A momentum that stays far from the middle axis circles; nobody would say that the body flips.
+    let first_flip = poinsot::next_flip(&scene.body, momentum).filter(|_| nearest_to_middle(scene) > TURNS_OVER);
     let period = poinsot::flip_period(&scene.body, momentum).filter(|_| first_flip.is_some());
     let rate = so3::norm(scene.start.body_angular_velocity(&scene.body));
     // Where it never flips: ten turns, or ten seconds at rest.
@@ -132,4 +135,15 @@ fn timeline_of(scene: &crate::scene::Scene) -> Timeline {
     };
     let high = if seen.is_finite() { seen.clamp(1e-3, 1e9) } else { turns };
     Timeline { low: 0.0, high, first_flip, period }
+}
+
+/// Largest share of the momentum along the middle axis, `max |M₂|/ℓ`, over the whole motion.
+fn nearest_to_middle(scene: &crate::scene::Scene) -> f64 {
+    let inverse = scene.body.principal_moments().recip();
+    let momentum = scene.start.body_momentum;
+    let ell = so3::norm(momentum);
+    // Σ sᵢ = 1 and Σ sᵢ/Iᵢ = e with s₁ = 0 or s₃ = 0, whichever side of the separatrix it is.
+    let e = 2.0 * scene.start.energy(&scene.body) / ell / ell;
+    let outer = if e < inverse.y { inverse.z } else { inverse.x };
+    ((e - outer) / (inverse.y - outer)).clamp(0.0, 1.0).sqrt()
 }

@@ -8,6 +8,7 @@ use super::rates::rates;
 use crate::physics::double_double::{self, DoubleDouble};
 use crate::physics::elliptic::{self, Complementary, Real, Series};
 use crate::physics::orbit::{Kind, Orbit};
+use crate::physics::so3;
 
 /// Attitude relative to the start, and momentum in units of the orbit, at any time in seconds.
 #[derive(Clone, Copy, Debug)]
@@ -18,11 +19,13 @@ pub(crate) struct Path {
     inverse_ell: f64,
     /// `σ = s₂`.
     handedness: f64,
+    /// Two factors that take seconds to the orbit's units of time.
+    units_from_seconds: [f64; 2],
     /// `u₀/4K`.
     start_turns: f64,
-    /// `λ/4K` (1/s).
+    /// `λ/4K`, per unit of time.
     turn_rate: DoubleDouble,
-    /// `ψ̄/4π` (1/s): turns of the half angle.
+    /// `ψ̄/4π`, per unit of time: turns of the half angle.
     half_angle_rate: DoubleDouble,
     /// `π/2K`, or `π/2K′` where the complementary nome serves.
     slope: f64,
@@ -38,7 +41,7 @@ enum Shape {
     Real { series: Real, sines: [f64; 2], cosines: [f64; 2] },
     /// χ by the complementary nome: coefficients of `sinh(2n+1)b` and `cosh(2n+1)b`, n = 0…4, and `πη/4K′`.
     Complementary { series: Complementary, sines: [f64; 5], cosines: [f64; 5], slope: f64 },
-    /// `k′ = 0`, with λ (1/s) and u₀; χ is `−atan(tan(η/2) tanh(u/2))`.
+    /// `k′ = 0`, with λ and u₀; χ is `−atan(tan(η/2) tanh(u/2))`.
     Hyperbolic { rate: f64, start: f64, sine: f64, cosine: f64 },
 }
 
@@ -50,16 +53,15 @@ struct Point {
 
 impl Path {
     pub(crate) fn new(orbit: &Orbit) -> Self {
-        // Seconds from the orbit's own unit of time; powers of two.
-        let per_second = |rate: DoubleDouble| rate.scaled(orbit.momentum_unit).scaled(orbit.moment_unit.recip());
         let two_pi = double_double::PI.scaled(2.0);
-        let half_angle_rate = |rate: DoubleDouble| per_second(rate / two_pi.scaled(2.0));
+        let half_angle_rate = |rate: DoubleDouble| rate / two_pi.scaled(2.0);
         let ell = orbit.ell.value();
         let mut path = Self {
             shape: Shape::Steady { axis: DVec3::Z, momentum: orbit.momentum },
             amplitudes: orbit.amplitudes * DVec3::new(1.0, orbit.handedness, 1.0),
             inverse_ell: 1.0 / ell,
             handedness: orbit.handedness,
+            units_from_seconds: orbit.units_from_seconds(),
             start_turns: 0.0,
             turn_rate: DoubleDouble::ZERO,
             half_angle_rate: DoubleDouble::ZERO,
@@ -86,11 +88,11 @@ impl Path {
             let half = 0.5 * rise.atan2(run);
             let start = orbit.start_phase();
             let (sine, cosine) = half.sin_cos();
-            path.shape = Shape::Hyperbolic { rate: per_second(orbit.rate).value(), start, sine, cosine };
+            path.shape = Shape::Hyperbolic { rate: orbit.rate.value(), start, sine, cosine };
         } else {
             let quarter = orbit.quarter_period();
             let (turn_rate, angle_rate) = rates(orbit);
-            path.turn_rate = per_second(turn_rate / two_pi);
+            path.turn_rate = turn_rate / two_pi;
             path.half_angle_rate = half_angle_rate(angle_rate);
             path.start_turns = 0.25 * orbit.start_phase() / quarter;
             path.slope = elliptic::arithmetic_geometric_mean(1.0, k.max(k1));
@@ -110,6 +112,7 @@ impl Path {
 
     /// Attitude relative to the start and momentum at a time (s).
     pub(crate) fn at(&self, time: f64) -> (DQuat, DVec3) {
+        let time = self.in_units(time);
         let angle = TAU * phase(self.half_angle_rate, time);
         if let Shape::Steady { axis, momentum } = self.shape {
             let (sine, cosine) = angle.sin_cos();
@@ -118,12 +121,12 @@ impl Path {
         let point = self.point(time);
         let momentum = self.amplitudes * DVec3::from_array(point.functions);
         let (sine, cosine) = angle.sin_cos();
-        (self.start_inverse * self.frame(&point, (cosine, sine), momentum), momentum)
+        (so3::renormalize(self.start_inverse * self.frame(&point, (cosine, sine), momentum)), momentum)
     }
 
     /// `[cn, sn, dn]` at a time (s).
     pub(crate) fn functions(&self, time: f64) -> [f64; 3] {
-        self.point(time).functions
+        self.point(self.in_units(time)).functions
     }
 
     /// Momentum where the functions are `[cn, sn, dn]`.
@@ -169,6 +172,11 @@ impl Path {
         DQuat::from_xyzw(c * x - s * y, c * y + s * x, s * w, c * w)
     }
 
+    fn in_units(&self, time: f64) -> f64 {
+        (time * self.units_from_seconds[0] * self.units_from_seconds[1]).clamp(f64::MIN, f64::MAX)
+    }
+
+    /// At a time in the orbit's units.
     fn point(&self, time: f64) -> Point {
         let turns = phase(self.turn_rate, time) + self.start_turns;
         let turns = turns - turns.round();
@@ -225,8 +233,8 @@ fn unit(x: f64, y: f64) -> (f64, f64) {
 
 /// The fraction of a turn that is left of rate × time; 0 where no digit of it is left.
 fn phase(rate: DoubleDouble, time: f64) -> f64 {
-    const LARGEST: f64 = 1e280;
-    let time = time.clamp(-LARGEST, LARGEST);
+    // Lest the splitting of a factor overflow.
+    let (rate, time) = if time.abs() > 1e280 { (rate.scaled(1e32), time * 1e-32) } else { (rate, time) };
     let turns = rate.high * time;
     if turns.abs() < 1e32 { (rate * time).fraction() } else { 0.0 }
 }

@@ -78,6 +78,19 @@ impl ExactStep {
         self.origin + self.count as f64 * self.calibration.step.abs()
     }
 
+    /// The attitude, turned the shortest way so that it takes M to L: the two recurrences drift apart by their rounding, and
+    /// this leaves of it only what turns about L.
+    fn upright(&self) -> DQuat {
+        let ell = self.orbit.ell.value();
+        if ell == 0.0 {
+            return self.attitude;
+        }
+        let now = self.attitude * (self.path.momentum_of(self.functions) / ell);
+        let start = self.orbit.momentum / ell;
+        let axis = now.cross(start);
+        (DQuat::from_xyzw(axis.x, axis.y, axis.z, 1.0 + now.dot(start)) * self.attitude).normalize()
+    }
+
     fn calibrate(&mut self, step: f64) {
         if step.abs() != self.calibration.step.abs() {
             self.origin = self.time();
@@ -119,7 +132,7 @@ impl Stepper for ExactStep {
 
     fn attitude(&self) -> DMat3 {
         let principal_from_standard = self.orbit.principal_from_standard;
-        principal_from_standard * DMat3::from_quat(self.attitude) * principal_from_standard.transpose()
+        principal_from_standard * DMat3::from_quat(self.upright()) * principal_from_standard.transpose()
     }
 
     fn momentum(&self) -> DVec3 {

@@ -3,7 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use super::{Failure, Keeps, Method, Problem, Stepper};
-use crate::physics::orbit::power_of_two;
+use crate::physics::orbit::{power_of_two, split_quotient};
 use crate::physics::{Body, State};
 
 /// Why a method could not go on.
@@ -42,8 +42,9 @@ pub struct Integration {
     start: State,
     step: f64,
     steps: i64,
-    moment_unit: f64,
     momentum_unit: f64,
+    /// Two factors that take seconds to the units of the stepper.
+    units_from_seconds: [f64; 2],
     stepper: Box<dyn Stepper>,
 }
 
@@ -74,7 +75,8 @@ impl Integration {
             momentum_tail: principal_from_body * start.momentum_tail() / momentum_unit,
         };
         let stepper = (method.start)(&problem);
-        Self { method, body: *body, start, step, steps: 0, moment_unit, momentum_unit, stepper }
+        let units_from_seconds = split_quotient(momentum_unit, moment_unit);
+        Self { method, body: *body, start, step, steps: 0, momentum_unit, units_from_seconds, stepper }
     }
 
     /// The method.
@@ -132,8 +134,9 @@ impl Integration {
             return Err(MethodError::TooFar { time, step: self.step });
         }
         let target = whole as i64;
-        let is_behind = (target - self.steps).signum() * target.signum() < 0;
-        if is_behind || (target == 0 && self.steps != 0) {
+        // Steps are not undone: what lies behind, or beyond the start, is reached from the start.
+        let is_ahead = self.steps.signum() * target.signum() >= 0 && target.abs() >= self.steps.abs();
+        if !is_ahead {
             *self = Self::new(self.method, &self.body, self.start, self.step);
         }
         self.advance(target - self.steps)?;
@@ -161,7 +164,7 @@ impl Integration {
 
     /// A time (s) in the units of the stepper: exact, as these are powers of two.
     fn in_units(&self, time: f64) -> f64 {
-        time * self.momentum_unit / self.moment_unit
+        time * self.units_from_seconds[0] * self.units_from_seconds[1]
     }
 
     fn error(&self, failure: Failure) -> MethodError {

@@ -14,7 +14,7 @@ pub(super) const METHOD: Method = Method {
     symplectic: true,
     keeps_momentum: Keeps::Exactly,
     keeps_rotation: Keeps::Exactly,
-    keeps_energy: Keeps::Nearby,
+    keeps_energy: Keeps::Exactly,
     cost: "some three 3×3 inverses",
     source: "Moser & Veselov, Comm. Math. Phys. 139 (1991) 217; McLachlan & Zanna, Found. Comput. Math. 5 (2005) 87",
     start: LieGroup::<MoserVeselov>::start,
@@ -23,6 +23,7 @@ pub(super) const METHOD: Method = Method {
 /// The step's rotation `RₙᵀRₙ₊₁`, as the quaternion `f = (f₀, 𝐟)`, solves `(h/2) Mₙ = f₀ I𝐟 + 𝐟×I𝐟`; then
 /// `(h/2) Mₙ₊₁ = f₀ I𝐟 − 𝐟×I𝐟`, which is `RᵀL` again.
 ///
+/// The orbit of M is that of the body: with these steps L and K are both kept, and only the time on the orbit is wrong.
 /// A spin about a principal axis turns by `arcsin h|Ω|` a step: with `h|Ω| > 1` there is no solution and the step is refused.
 struct MoserVeselov;
 
