@@ -144,7 +144,10 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
     {
         picture::check_objects(&scene)?;
         let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
-        let options = dzhanibekov::app::WindowOptions { size, adapter: arguments.adapter.clone() };
+        let encode_png = |pixels: &dzhanibekov::render::Pixels, transparent| {
+            dzhanibekov::headless::encode(pixels, transparent, &[]).map_err(|error| error.to_string())
+        };
+        let options = dzhanibekov::app::WindowOptions { size, adapter: arguments.adapter.clone(), encode_png };
         dzhanibekov::app::run(scene, options).map_err(|error| Failure::could(error.to_string()))
     }
     #[cfg(not(feature = "window"))]
