@@ -45,7 +45,7 @@ pub struct HardRow {
     pub error: Option<f64>,
     /// What the error must not exceed; `None` where the method claims nothing.
     pub bound: Option<f64>,
-    /// Whether it holds: the error is a number and within the bound.
+    /// Whether it holds: the error is a number and within the bound; where nothing is promised, to stop and say so will do.
     pub held: bool,
     /// What the method said, if it stopped.
     pub said: Option<String>,
@@ -156,7 +156,7 @@ fn at_time(case: &Case, method: &'static Method, time: f64, name: &str) -> HardR
         quantity: "attitude",
         t: time,
         steps,
-        held: error.is_some_and(|error| error <= bound),
+        held: error.map_or(bound >= 1.0, |error| error <= bound),
         error,
         bound: Some(bound),
         said: outcome.err().map(|error| error.to_string()),
