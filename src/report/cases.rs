@@ -50,7 +50,7 @@ pub struct Case {
     pub time: f64,
     /// `|Ω|` at the start (rad/s): the step is told in turns of this rate.
     pub rate: f64,
-    samples: Vec<(f64, DMat3)>,
+    pub(super) samples: Vec<(f64, DMat3)>,
 }
 
 /// How far a state is from the truth.

@@ -158,7 +158,7 @@ pub struct Report {
     pub peers: Vec<Peer>,
 }
 
-/// Measures everything: the cases of the table, and a scene where one is given. `progress` is told what is
+/// Measures everything: the cases of the table, and a scene where one is given (not where its body is at rest). `progress` is told what is
 /// being done and what part of the whole is (0 to 1).
 ///
 /// # Errors
@@ -175,7 +175,11 @@ pub fn measure(
     };
     let (generic, flipping) = (find(GENERIC)?, find(FLIPPING)?);
     let mut measured: Vec<Case> = if effort.is_quick { vec![generic.clone(), flipping.clone()] } else { table.clone() };
-    measured.extend(scene.and_then(Case::of_scene));
+    measured.extend(scene.and_then(Case::of_scene).map(|case| {
+        // A scene that is named as a case of the table is another motion all the same.
+        let is_taken = table.iter().any(|other| other.name == case.name);
+        if is_taken { Case { name: format!("{} (scene)", case.name), ..case } } else { case }
+    }));
 
     // Shares of the whole by what they took when this was written.
     progress("cost of a step", 0.0);
