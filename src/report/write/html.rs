@@ -32,8 +32,9 @@ td.words,th.words{text-align:left}td.words{white-space:normal;min-width:16rem}.g
 .hard td,.hard th{padding:.25rem .5rem;font-size:.76rem}.hard th{white-space:normal}.hard th:first-child,.hard td:first-child{padding-left:0}\
 .hard td.number{font-size:.72rem;line-height:1.35}.hard small{color:var(--soft);font-weight:400;font-size:.92em}
 details{margin:.5rem 0}summary{cursor:pointer;padding:.3rem 0;border-bottom:1px solid var(--faint)}
-@media print{body{max-width:none;padding:0;font-size:10.5pt}h2{break-after:avoid}figure,tr{break-inside:avoid}nav{display:none}\
-.scroll{overflow:visible}td,th{white-space:normal}}
+@media print{body{max-width:none;padding:0;font-size:9.5pt}h2{break-after:avoid;margin-top:1.6rem}figure,tr{break-inside:avoid}nav{display:none}\
+.scroll{overflow:visible}table{font-size:7.5pt}td,th{padding:.15rem .35rem}.hard td,.hard th{font-size:6pt;padding:.1rem .25rem}\
+.hard td.number,td.number{font-size:inherit}figure svg{max-height:10.5cm}.grid2{grid-template-columns:1fr 1fr}}
 ";
 
 /// The page.
