@@ -19,7 +19,7 @@ struct Corner {
 fn corner(mark: Mark, index: u32, hidden: bool) -> Corner {
     let centre = view.clip_from_world * vec4f(mark.position, 1.0);
     let radius = 0.5 * mark.style.x * view.metrics.z;
-    let offset = (2.0 * strip_corner(index) - 1.0) * (1.5 * radius + 2.0);
+    let offset = (2.0 * quad_corner(index) - 1.0) * (1.5 * radius + 2.0);
     let opacity = select(1.0, mark.style.y, hidden);
     var clip = vec4f(2.0, 2.0, 0.0, 1.0);
     if centre.w > view.eye.w && opacity > 0.0 {

@@ -8,8 +8,6 @@ struct Quadric {
 struct Pair {
     first: Quadric,
     second: Quadric,
-    // the rectangle of the screen that holds both: low x, low y, high x, high y (normalised device coordinates)
-    bounds: vec4f,
     // x: 1 where there is a second one; y, z: 1 to draw the near, the far walls
     choice: vec4f,
 }
@@ -18,13 +16,14 @@ struct Pair {
 
 struct Corner {
     @builtin(position) clip: vec4f,
-    @location(0) ndc: vec2f,
+    @location(0) ray: vec3f,
 }
 
+// The corners of a polygon of the screen that holds both (normalised device coordinates).
 @vertex
-fn vertex(@builtin(vertex_index) index: u32) -> Corner {
-    let ndc = mix(pair.bounds.xy, pair.bounds.zw, strip_corner(index));
-    return Corner(vec4f(ndc, 0.5, 1.0), ndc);
+fn vertex(@location(0) ndc: vec2f) -> Corner {
+    let ray = view.ray_forward.xyz + ndc.x * view.ray_right.xyz + ndc.y * view.ray_up.xyz;
+    return Corner(vec4f(ndc, 0.5, 1.0), ray);
 }
 
 // Where a ray meets an ellipsoid, and how much of the pixel the ellipsoid covers.
@@ -52,20 +51,26 @@ struct Wall {
     color: vec4f,
 }
 
-fn wall(quadric: Quadric, origin: vec3f, ray: vec3f, depth: f32, coverage: f32) -> Wall {
-    let position = origin + depth * ray;
+// What is the same for all walls along a ray.
+struct Sight {
+    origin: vec3f,
+    ray: vec3f,
+    to_eye: vec3f,
+    half_way: vec3f,
+}
+
+fn wall(quadric: Quadric, sight: Sight, depth: f32, coverage: f32) -> Wall {
+    let position = sight.origin + depth * sight.ray;
     let unit = (quadric.unit_from_world * vec4f(position, 1.0)).xyz;
     let outward = normalize((vec4f(unit, 0.0) * quadric.unit_from_world).xyz);
-    let to_eye = -normalize(ray);
-    let facing = dot(outward, to_eye);
-    let normal = select(-outward, outward, facing > 0.0);
-    // A thin wall absorbs by the length of the way through it, so the rim reads as a rim.
-    let way = 1.0 / max(abs(facing), 0.16);
-    let opacity = (1.0 - pow(1.0 - quadric.color.a, way)) * coverage;
-    let inner = select(0.8, 1.0, facing > 0.0);
-    let color = lit(quadric.color.rgb, normal, to_eye, select(0.0, 0.12, facing > 0.0)) * inner;
-    let shown = step(view.eye.w, depth) * opacity;
-    return Wall(depth, vec4f(color * shown, shown));
+    let facing = dot(outward, sight.to_eye);
+    let outer = facing > 0.0;
+    // A thin wall takes more light the more aslant it is seen, so the rim reads as a rim.
+    let alpha = quadric.color.a;
+    let opacity = alpha / (alpha + (1.0 - alpha) * max(abs(facing), 0.2));
+    let color = lit(quadric.color.rgb, select(-outward, outward, outer), sight.half_way, select(0.0, 0.12, outer));
+    let shown = select(0.0, opacity * coverage, depth > view.eye.w);
+    return Wall(depth, vec4f(color * (select(0.8, 1.0, outer) * shown), shown));
 }
 
 fn over(front: vec4f, back: Wall) -> vec4f {
@@ -79,10 +84,11 @@ struct Fragment {
 
 @fragment
 fn fragment(corner: Corner) -> Fragment {
-    let origin = view.eye.xyz;
-    let ray = view.ray_forward.xyz + corner.ndc.x * view.ray_right.xyz + corner.ndc.y * view.ray_up.xyz;
-    let one = meet(pair.first, origin, ray);
-    let two = meet(pair.second, origin, ray);
+    let ray = corner.ray;
+    let to_eye = -normalize(ray);
+    let sight = Sight(view.eye.xyz, ray, to_eye, normalize(view.key_light.xyz + to_eye));
+    let one = meet(pair.first, sight.origin, ray);
+    let two = meet(pair.second, sight.origin, ray);
     let first = one.coverage;
     let second = two.coverage * pair.choice.x;
     if first + second <= 0.0 {
@@ -96,12 +102,12 @@ fn fragment(corner: Corner) -> Fragment {
     var c = absent;
     var d = absent;
     if first > 0.0 {
-        a = wall(pair.first, origin, ray, one.near, first * near);
-        c = wall(pair.first, origin, ray, one.far, first * far);
+        a = wall(pair.first, sight, one.near, first * near);
+        c = wall(pair.first, sight, one.far, first * far);
     }
     if second > 0.0 {
-        b = wall(pair.second, origin, ray, two.near, second * near);
-        d = wall(pair.second, origin, ray, two.far, second * far);
+        b = wall(pair.second, sight, two.near, second * near);
+        d = wall(pair.second, sight, two.far, second * far);
     }
     // Near to far: a sorting network of four, the pairs (a, c) and (b, d) being in order already.
     var t = a;

@@ -17,7 +17,7 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     if dot(corner.normal, corner.normal) > 0.25 {
         let to_eye = normalize(view.eye.xyz - corner.world);
         let normal = normalize(select(-corner.normal, corner.normal, front));
-        color = lit(color, normal, to_eye, 0.06);
+        color = lit(color, normal, normalize(view.key_light.xyz + to_eye), 0.06);
     }
     return vec4f(color * corner.color.a, corner.color.a);
 }

@@ -19,15 +19,16 @@ pub fn single_matrix(m: DMat3) -> Mat3 {
     m.as_mat3()
 }
 
-/// A colour in linear light with straight (not premultiplied) opacity.
+/// A colour: red, green, blue as sRGB encodes them (0 to 1), and straight (not premultiplied) opacity. Pictures are blended in
+/// these values too, as browsers and slides blend the PNGs that they are given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Color(pub [f32; 4]);
 
 impl Color {
-    /// An opaque colour from the usual `0xRRGGBB` notation (sRGB).
+    /// An opaque colour from the usual `0xRRGGBB` notation.
     #[must_use]
     pub fn hex(rgb: u32) -> Self {
-        let channel = |shift: u32| decode(((rgb >> shift) & 0xff) as f32 / 255.0);
+        let channel = |shift: u32| ((rgb >> shift) & 0xff) as f32 / 255.0;
         Self([channel(16), channel(8), channel(0), 1.0])
     }
 
@@ -50,11 +51,6 @@ impl Color {
         let [a, b] = [self.0, other.0];
         Self(std::array::from_fn(|i| a[i] + (b[i] - a[i]) * part))
     }
-}
-
-/// The sRGB transfer function, encoded to linear.
-fn decode(value: f32) -> f32 {
-    if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
 }
 
 /// A whole picture.

@@ -1,4 +1,6 @@
 //! See, teach and measure how a free rigid body turns: the Dzhanibekov effect (tennis-racket theorem).
+#[cfg(feature = "window")]
+pub mod app;
 #[cfg(feature = "picture")]
 pub mod camera;
 #[cfg(feature = "picture")]
@@ -14,3 +16,5 @@ pub mod render;
 pub mod report;
 pub mod scene;
 pub mod sim;
+#[cfg(feature = "window")]
+pub mod ui;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use dzhanibekov::scene::{DEFAULT_PRESET, Layout, Scene, SceneFile, Theme, preset};
+use dzhanibekov::scene::{DEFAULT_PRESET, Layout, Scene, SceneFile, Theme, flags, preset};
 
 use super::failure::Failure;
 
@@ -84,17 +84,14 @@ pub(super) struct ViewArguments {
     distance: Option<f64>,
 }
 
-/// Everything that is said of a picture in a file.
+/// Everything that is said of a picture in a file, but its name.
 #[derive(Args, Debug)]
 pub(super) struct PictureArguments {
     #[command(flatten)]
     pub(super) scene: SceneArguments,
     #[command(flatten)]
     pub(super) view: ViewArguments,
-    /// File to write, or - for standard output
-    #[arg(short, long, value_name = "FILE.png|-")]
-    pub(super) output: PathBuf,
-    /// Simulated time shown (s)
+    /// Simulated time shown (s); of a recording, its first frame's
     #[arg(long, value_name = "T", default_value = "0", allow_hyphen_values = true, help_heading = "Picture")]
     pub(super) time: f64,
     /// Size in pixels
@@ -112,6 +109,7 @@ pub(super) struct PictureArguments {
 }
 
 /// Flags of `report`.
+#[cfg(feature = "report")]
 #[derive(Args, Debug)]
 pub(super) struct ReportArguments {
     #[command(flatten)]
@@ -163,12 +161,22 @@ impl SceneArguments {
 
     /// Reads the scene, applies the overrides and checks the whole. Warnings go to standard error.
     pub(super) fn scene(&self, view: Option<&ViewArguments>, is_quiet: bool) -> Result<Scene, Failure> {
-        let (name, mut file) = self.read()?;
+        Ok(self.named_scene(view, is_quiet)?.0)
+    }
+
+    /// As [`Self::scene`], with the words of a command line that name the scene and its overrides.
+    pub(super) fn named_scene(
+        &self,
+        view: Option<&ViewArguments>,
+        is_quiet: bool,
+    ) -> Result<(Scene, Vec<String>), Failure> {
+        let (name, base) = self.read()?;
+        let mut file = base.clone();
         self.apply(&mut file);
         if let Some(view) = view {
             view.apply(&mut file);
         }
-        let scene = Scene::check(&file).map_err(|error| match name {
+        let scene = Scene::check(&file).map_err(|error| match &name {
             Some(path) => Failure::request(format!("{path}: {error}")),
             None => Failure::from(error),
         })?;
@@ -177,12 +185,18 @@ impl SceneArguments {
                 eprintln!("dzhanibekov: {warning}");
             }
         }
-        Ok(scene)
+        let mut words = vec![self.name().display().to_string()];
+        words.extend(flags(&base, &file));
+        Ok((scene, words))
+    }
+
+    fn name(&self) -> &Path {
+        self.scene.as_deref().unwrap_or(Path::new(DEFAULT_PRESET))
     }
 
     /// The scene as it stands in its file, and the file's path where it is not built in.
     fn read(&self) -> Result<(Option<String>, SceneFile), Failure> {
-        let name = self.scene.as_deref().unwrap_or(Path::new(DEFAULT_PRESET));
+        let name = self.name();
         let is_path = name.components().count() > 1 || name.extension().is_some() || name.exists();
         match name.to_str() {
             Some(stem) if !is_path || preset(stem).is_ok() => Ok((None, preset(stem)?.read()?)),

@@ -23,7 +23,7 @@ impl Failure {
     }
 
     /// A part that this build of the program was made without.
-    #[allow(dead_code, reason = "used by builds without one of the features")]
+    #[cfg(not(feature = "window"))]
     pub(super) fn not_built(what: &str, feature: &str) -> Self {
         Self::could(format!("this program was built without {what}: build it with `--features {feature}`"))
     }

@@ -3,20 +3,24 @@
 mod arguments;
 mod failure;
 mod lists;
+mod manual;
 mod output;
 #[cfg(feature = "picture")]
 mod picture;
 #[cfg(feature = "picture")]
 mod quiet_driver;
+#[cfg(feature = "picture")]
+mod record;
 #[cfg(feature = "report")]
 mod report;
+mod signal;
 mod trace;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use arguments::{PictureArguments, ReportArguments, SceneArguments, ViewArguments};
+use arguments::{SceneArguments, ViewArguments};
 use failure::Failure;
 
 /// See, teach and measure how a free rigid body turns: the Dzhanibekov effect (tennis-racket theorem).
@@ -50,30 +54,48 @@ struct Arguments {
 
 #[derive(Subcommand, Debug)]
 enum Command {
+    #[cfg(feature = "picture")]
     /// Draw one picture to a file, with no window and no display
     #[command(after_help = "Examples:
   dzhanibekov shot flip -o flip.png
   dzhanibekov shot flip --time 2.5 --size 3840x2160 --theme light -o flip.png
   dzhanibekov shot --moments 1,2,3 --omega 0,1,0.001 --view body -o - | display")]
-    Shot(Box<PictureArguments>),
+    Shot(Box<picture::ShotArguments>),
+    #[cfg(feature = "picture")]
+    /// Record moving pictures: numbered PNG files, GIF, animated PNG, MP4, or a stream
+    #[command(after_help = "Examples:
+  dzhanibekov record flip -o frame-{:05}.png --fps 60 --duration 10
+  dzhanibekov record flip -o flip.gif --fps 50 --duration 5 --size 640x360
+  dzhanibekov record flip -o flip.mp4 --duration 20 --size 1920x1080
+  dzhanibekov record flip -o - | ffplay -
+  dzhanibekov record flip -o frame-{:05}.png --frames 0..300 --keep")]
+    Record(Box<record::RecordArguments>),
     /// Write the motion as numbers (CSV)
     #[command(after_help = "Examples:
   dzhanibekov trace flip --at 0,1,10
   dzhanibekov trace --moments 0.5,0.85,1 --omega 0.4,1.176470588235294,0.4 --method buss --step 0.001 --at 30
   dzhanibekov trace flip --every 0.01 --duration 10 -o flip.csv")]
     Trace(Box<trace::TraceArguments>),
+    #[cfg(feature = "report")]
     /// Measure every method here: speed against error, as a page, tables and plots
     #[command(after_help = "Examples:
   dzhanibekov report -o report                  report/report.html and the rest
   dzhanibekov report --quick --json -           the numbers of two cases
   dzhanibekov report flip --peers peers.json    a scene besides, and other programs' points")]
-    Report(Box<ReportArguments>),
+    Report(Box<arguments::ReportArguments>),
     /// List the scenes built in
     Scenes(lists::ListArguments),
     /// List the methods
     Methods(lists::ListArguments),
+    #[cfg(feature = "picture")]
     /// List the graphics adapters
     Adapters(lists::ListArguments),
+    /// Write the man page to standard output: dzhanibekov man | man -l -
+    #[command(hide = true)]
+    Man,
+    /// Write completions for a shell to standard output
+    #[command(hide = true)]
+    Completions(manual::CompletionArguments),
 }
 
 /// Runs the program and turns its outcome into the exit code: 0 done, 1 it could not, 2 the request was wrong.
@@ -102,24 +124,32 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         None => window(&arguments),
         #[cfg(feature = "picture")]
         Some(Command::Shot(shot)) => picture::shot(&shot),
-        #[cfg(not(feature = "picture"))]
-        Some(Command::Shot(_)) => Err(Failure::not_built("pictures", "picture")),
+        #[cfg(feature = "picture")]
+        Some(Command::Record(recording)) => record::run(&recording),
         Some(Command::Trace(trace)) => trace::run(&trace),
         #[cfg(feature = "report")]
         Some(Command::Report(report)) => report::run(&report),
-        #[cfg(not(feature = "report"))]
-        Some(Command::Report(_)) => Err(Failure::not_built("the report", "report")),
         Some(Command::Scenes(list)) => lists::scenes(&list),
         Some(Command::Methods(list)) => lists::methods(&list),
         #[cfg(feature = "picture")]
         Some(Command::Adapters(list)) => picture::adapters(&list),
-        #[cfg(not(feature = "picture"))]
-        Some(Command::Adapters(_)) => Err(Failure::not_built("pictures", "picture")),
+        Some(Command::Man) => manual::man(),
+        Some(Command::Completions(completions)) => manual::completions(&completions),
     }
 }
 
 fn window(arguments: &Arguments) -> Result<(), Failure> {
     let scene = arguments.scene.scene(Some(&arguments.view), arguments.quiet)?;
-    let _ = (scene, &arguments.size, &arguments.adapter);
-    Err(Failure::not_built("the window", "window"))
+    #[cfg(feature = "window")]
+    {
+        picture::check_objects(&scene)?;
+        let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
+        let options = dzhanibekov::app::WindowOptions { size, adapter: arguments.adapter.clone() };
+        dzhanibekov::app::run(scene, options).map_err(|error| Failure::could(error.to_string()))
+    }
+    #[cfg(not(feature = "window"))]
+    {
+        let _ = (scene, &arguments.size, &arguments.adapter);
+        Err(Failure::not_built("the window", "window"))
+    }
 }

@@ -1,9 +1,12 @@
 //! `shot` and `adapters`: pictures with no window.
 
-use dzhanibekov::headless::{HeadlessError, ShotOptions, shot as draw};
+use std::path::PathBuf;
+
+use clap::Args;
+use dzhanibekov::headless::{HeadlessError, Note, ShotOptions, shot as draw};
 use dzhanibekov::objects::{OBJECTS, object_named};
 use dzhanibekov::render;
-use dzhanibekov::scene::{Scene, nearest};
+use dzhanibekov::scene::{Scene, nearest, quoted};
 use dzhanibekov::sim::Simulation;
 use serde_json::json;
 
@@ -12,6 +15,7 @@ use super::failure::Failure;
 use super::lists::{ListArguments, print, table};
 use super::output::{check_place, io_failure, write_whole};
 use super::quiet_driver::keep_quiet;
+use super::signal;
 
 impl From<HeadlessError> for Failure {
     fn from(error: HeadlessError) -> Self {
@@ -19,34 +23,67 @@ impl From<HeadlessError> for Failure {
     }
 }
 
+/// Flags of `shot`.
+#[derive(Args, Debug)]
+pub(super) struct ShotArguments {
+    #[command(flatten)]
+    picture: PictureArguments,
+    /// File to write, or - for standard output
+    #[arg(short, long, value_name = "FILE.png|-")]
+    output: PathBuf,
+}
+
 /// `shot`: everything that can be refused is refused before anything is drawn.
-pub(super) fn shot(arguments: &PictureArguments) -> Result<(), Failure> {
+pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     keep_quiet();
-    let scene = arguments.scene.scene(Some(&arguments.view), arguments.quiet)?;
-    check_objects(&scene)?;
-    let simulation = simulation_at(&scene, arguments.time)?;
+    signal::end_at_once()?;
+    let picture = &arguments.picture;
+    let (scene, words) = picture_scene(picture)?;
     check_place(&arguments.output)?;
-    let options =
-        ShotOptions { size: arguments.size, transparent: arguments.transparent, adapter: arguments.adapter.clone() };
-    let bytes = draw(&simulation, &options)?;
+    let mut simulation = Simulation::new(&scene);
+    if picture.time != 0.0 {
+        simulation.go_to(picture.time);
+    }
+    if let Some(error) = simulation.main().failure() {
+        return Err(Failure::could(error.to_string()));
+    }
+    let bytes = draw(&simulation, &options(picture), &notes(picture, &words, picture.time))?;
     write_whole(&arguments.output, |writer| {
         writer.write_all(&bytes).map_err(|error| io_failure(&arguments.output, &error))
     })
 }
 
-/// The scene's motion at a time (s).
-fn simulation_at(scene: &Scene, time: f64) -> Result<Simulation, Failure> {
-    if !time.is_finite() {
-        return Err(Failure::request(format!("--time {time} is not finite")));
+/// The scene of a picture, checked, and the words of a command line that name it.
+pub(super) fn picture_scene(picture: &PictureArguments) -> Result<(Scene, Vec<String>), Failure> {
+    let (scene, words) = picture.scene.named_scene(Some(&picture.view), picture.quiet)?;
+    check_objects(&scene)?;
+    if !picture.time.is_finite() {
+        return Err(Failure::request(format!("--time {} is not finite", picture.time)));
     }
-    let mut simulation = Simulation::new(scene);
-    if time != 0.0 {
-        simulation.go_to(time);
+    Ok((scene, words))
+}
+
+pub(super) fn options(picture: &PictureArguments) -> ShotOptions {
+    ShotOptions { size: picture.size, transparent: picture.transparent, adapter: picture.adapter.clone() }
+}
+
+/// What a picture's file says of itself: the program, the scene, the time and the command that draws it again.
+pub(super) fn notes(picture: &PictureArguments, words: &[String], time: f64) -> Vec<Note> {
+    let mut command = vec!["dzhanibekov".to_owned(), "shot".to_owned()];
+    command.extend_from_slice(words);
+    command.extend(["--time".to_owned(), time.to_string()]);
+    let [width, height] = picture.size;
+    command.extend(["--size".to_owned(), format!("{width}x{height}")]);
+    if picture.transparent {
+        command.push("--transparent".to_owned());
     }
-    match simulation.main().failure() {
-        Some(error) => Err(Failure::could(error.to_string())),
-        None => Ok(simulation),
-    }
+    command.extend(["-o".to_owned(), "picture.png".to_owned()]);
+    vec![
+        ("Software", concat!("dzhanibekov ", env!("CARGO_PKG_VERSION")).to_owned()),
+        ("Title", words.first().cloned().unwrap_or_default()),
+        ("Description", format!("t = {time} s")),
+        ("Comment", quoted(&command)),
+    ]
 }
 
 /// Refuses names of objects that do not exist.

@@ -20,6 +20,7 @@ const LARGEST_FILE: u64 = 16 << 20;
 const BAR: f64 = 1000.0;
 
 pub(super) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
+    super::signal::end_at_once()?;
     let scene = if arguments.scene.is_given() { Some(arguments.scene.scene(None, arguments.quiet)?) } else { None };
     let is_at_rest = scene.as_ref().is_some_and(|scene| Case::of_scene(scene).is_none());
     if is_at_rest && !arguments.quiet {

@@ -1,7 +1,17 @@
-//! Pictures with no window and no event loop.
+//! Pictures and sequences with no window and no event loop.
 
+mod apng;
+mod gif;
+mod movie;
 mod png;
+mod record;
 mod shot;
+mod y4m;
 
-pub use png::encode;
+pub use apng::Apng;
+pub use gif::Gif;
+pub use movie::{Movie, MovieError};
+pub use png::{Note, encode, is_whole};
+pub use record::{FrameRate, Recording, record};
 pub use shot::{HeadlessError, ShotOptions, Studio, shot};
+pub use y4m::Y4m;

@@ -1,6 +1,6 @@
 //! One picture.
 
-use super::png::encode;
+use super::png::{Note, encode};
 use crate::frame::Frame;
 use crate::objects::{Cameras, build_frame};
 use crate::render::{Canvas, Gpu, GpuError, Pixels, Renderer, point_size};
@@ -22,6 +22,9 @@ pub enum HeadlessError {
     /// No adapter, or one that failed.
     #[error(transparent)]
     Gpu(#[from] GpuError),
+    /// The method could not go on.
+    #[error("{0}")]
+    Method(String),
     /// The picture could not be encoded.
     #[error("the picture could not be encoded: {0}")]
     Encoding(#[from] png::EncodingError),
@@ -52,6 +55,26 @@ impl Default for ShotOptions {
     }
 }
 
+impl ShotOptions {
+    /// Opens a device that can draw this size.
+    ///
+    /// # Errors
+    /// No adapter, or a size that it cannot draw.
+    pub fn open(&self) -> Result<Gpu, HeadlessError> {
+        let [width, height] = self.size;
+        let refused = |largest| Err(HeadlessError::Size { width, height, largest });
+        if width == 0 || height == 0 {
+            return refused(8192);
+        }
+        let gpu = Gpu::headless(self.adapter.as_deref())?;
+        let largest = gpu.largest_side();
+        if width.max(height) > largest {
+            return refused(largest);
+        }
+        Ok(gpu)
+    }
+}
+
 /// A device with everything that draws pictures of one size, to be used again for each frame.
 pub struct Studio {
     gpu: Gpu,
@@ -65,16 +88,7 @@ impl Studio {
     /// # Errors
     /// No adapter, or a size that it cannot draw.
     pub fn new(options: &ShotOptions) -> Result<Self, HeadlessError> {
-        let [width, height] = options.size;
-        let refused = |largest| Err(HeadlessError::Size { width, height, largest });
-        if width == 0 || height == 0 {
-            return refused(8192);
-        }
-        let gpu = Gpu::headless(options.adapter.as_deref())?;
-        let largest = gpu.largest_side();
-        if width.max(height) > largest {
-            return refused(largest);
-        }
+        let gpu = options.open()?;
         let renderer = Renderer::new(&gpu);
         let canvas = Canvas::new(&gpu, options.size);
         gpu.check()?;
@@ -103,11 +117,11 @@ impl Studio {
 ///
 /// # Errors
 /// See [`HeadlessError`].
-pub fn shot(simulation: &Simulation, options: &ShotOptions) -> Result<Vec<u8>, HeadlessError> {
+pub fn shot(simulation: &Simulation, options: &ShotOptions, notes: &[Note]) -> Result<Vec<u8>, HeadlessError> {
     let mut studio = Studio::new(options)?;
     let view = &simulation.scene().view;
     let mut frame = build_frame(simulation, view, &Cameras::new(view), studio.aspect());
     frame.transparent = options.transparent;
     let pixels = studio.draw(&frame)?;
-    Ok(encode(&pixels, options.transparent)?)
+    Ok(encode(&pixels, options.transparent, notes)?)
 }

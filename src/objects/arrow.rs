@@ -7,6 +7,8 @@ use crate::frame::{Color, Mesh, Solid, View};
 
 /// Radius of an arrow's shaft.
 const SHAFT: f32 = 0.020;
+/// Corners of its outline.
+const ROUND: u32 = 28;
 
 /// Adds an arrow from one point to another; nothing where it would have no length.
 pub(super) fn add(view: &mut View, from: Vec3, to: Vec3, color: Color) {
@@ -20,13 +22,12 @@ pub(super) fn add(view: &mut View, from: Vec3, to: Vec3, color: Color) {
     let map = Mat3::from_cols(aside, along.cross(aside), along);
     let neck = length - head_length;
     let profile = [
-        Vec2::new(0.0, 0.0),
         Vec2::new(SHAFT, 0.0),
         Vec2::new(SHAFT, neck),
         Vec2::new(head_radius, neck - 0.2 * head_length),
         Vec2::new(0.0, length),
     ];
     let mut mesh = Mesh::default();
-    add_lathe(&mut mesh, from, map, &profile, |_| color);
+    add_lathe(&mut mesh, from, map, &profile, ROUND, |_| color);
     view.solids.push(Solid { mesh, opaque: true });
 }

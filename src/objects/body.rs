@@ -7,6 +7,8 @@ use crate::frame::{Color, Line, Mesh, Solid, View, single, single_matrix};
 use crate::physics::State;
 use crate::scene::PartKind;
 
+/// Corners of a round outline.
+const ROUND: u32 = 72;
 /// Rings of an ellipsoid from pole to pole.
 const RINGS: usize = 48;
 
@@ -30,13 +32,13 @@ pub(super) fn mesh_of(context: &Context<'_>, state: &State, colors: [[Color; 3];
             }
             PartKind::Cylinder => {
                 let rim = [Vec2::new(0.0, -1.0), Vec2::new(1.0, -1.0), Vec2::new(1.0, 1.0), Vec2::new(0.0, 1.0)];
-                mesh::add_lathe(&mut mesh, centre, map, &rim, color);
+                mesh::add_lathe(&mut mesh, centre, map, &rim, ROUND, color);
             }
             PartKind::Ellipsoid => {
                 let profile: Vec<Vec2> = (0..=RINGS)
                     .map(|i| Vec2::from_angle(std::f32::consts::PI * (i as f32 / RINGS as f32 - 0.5)))
                     .collect();
-                mesh::add_lathe(&mut mesh, centre, map, &profile, color);
+                mesh::add_lathe(&mut mesh, centre, map, &profile, ROUND, color);
             }
         }
     }
@@ -59,7 +61,7 @@ pub(super) fn edges(context: &Context<'_>, state: &State, view: &mut View, color
 }
 
 /// Of each part: its centre, the map from its unit shape (half extents 1) to the picture, its kind, its orientation.
-fn placed_parts<'a>(
+pub(super) fn placed_parts<'a>(
     context: &'a Context<'_>,
     state: &State,
 ) -> impl Iterator<Item = (Vec3, Mat3, PartKind, Mat3)> + use<'a> {

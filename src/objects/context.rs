@@ -1,17 +1,21 @@
 //! What an object may know: the simulation, the settings, and the scales that bring both spaces to size 1.
 
+use std::f64::consts::TAU;
+
 use glam::{DMat3, DQuat, DVec3, Mat3, Vec3};
 
-use super::Palette;
+use super::{Palette, is_shown, object_named};
 use crate::frame::{single, single_matrix};
-use crate::physics::{State, so3};
+use crate::physics::{State, poinsot, so3};
 use crate::scene;
 use crate::sim::Simulation;
 
 /// Radius at which the body is drawn in the world view.
-const BODY_RADIUS: f64 = 0.86;
+const BODY_RADIUS: f64 = 0.95;
 /// Height at which the tip of ω moves in the world view.
 const OMEGA_HEIGHT: f64 = 1.02;
+/// Longest semi-axis of Poinsot's ellipsoid in the picture; where it is shown ω is drawn small enough for that.
+const LONGEST_SEMI_AXIS: f64 = 1.3;
 
 /// What the objects of a picture are made from.
 #[derive(Debug)]
@@ -30,10 +34,14 @@ pub struct Context<'a> {
     momentum_length: f64,
     /// Units of the picture a rad/s.
     per_radian: f64,
+    /// Height of the tip of ω.
+    plane_height: f64,
+    /// A time (s) in which much happens: between flips, or about a turn where there are none.
+    period: f64,
 }
 
 impl<'a> Context<'a> {
-    pub(super) fn new(simulation: &'a Simulation, settings: &'a scene::View, palette: Palette) -> Self {
+    pub(super) fn new(simulation: &'a Simulation, settings: &'a scene::View, palette: &Palette) -> Self {
         let scene = simulation.scene();
         let momentum = scene.start.world_momentum;
         let momentum_length = so3::norm(momentum);
@@ -41,15 +49,23 @@ impl<'a> Context<'a> {
         // ω·L/ℓ = 2K/ℓ is constant: the tip of ω moves in a plane, drawn at a fixed height.
         let energy = scene.start.energy(&scene.body);
         let height = 2.0 * energy / momentum_length;
+        let ratio = (2.0 * energy / scene.body.principal_moments().x).sqrt() / height;
+        let rolling = object_named("rolling-ellipsoid").is_some_and(|object| is_shown(object, settings));
+        let plane_height = if rolling { OMEGA_HEIGHT.min(LONGEST_SEMI_AXIS / ratio) } else { OMEGA_HEIGHT };
+        let turn = TAU / so3::norm(scene.start.body_angular_velocity(&scene.body));
+        let flip = poinsot::flip_period(&scene.body, scene.start.body_momentum);
+        let period = flip.unwrap_or(2.0 * turn).min(20.0 * turn);
         let reciprocal = |value: f64| if value.is_normal() { value.recip() } else { 0.0 };
         Self {
             simulation,
             settings,
-            palette,
+            palette: *palette,
             picture_from_world: upright(momentum, momentum_length),
             per_metre: BODY_RADIUS * reciprocal(radius),
             momentum_length,
-            per_radian: OMEGA_HEIGHT * reciprocal(height),
+            per_radian: plane_height * reciprocal(height),
+            plane_height,
+            period: if period.is_finite() { period } else { 1.0 },
         }
     }
 
@@ -80,14 +96,38 @@ impl<'a> Context<'a> {
     /// A body momentum as a point of momentum space: principal components, the sphere of radius 1.
     #[must_use]
     pub fn body_momentum(&self, momentum: DVec3) -> Vec3 {
-        let body = self.simulation.body();
-        single(body.body_from_principal().transpose() * self.unit(momentum))
+        self.principal(self.unit(momentum))
     }
 
-    /// |L| at the start (kg m²/s).
+    /// The body momentum now in units of ℓ at the start; none where there is none.
     #[must_use]
-    pub fn momentum_length(&self) -> f64 {
-        self.momentum_length
+    pub fn unit_momentum(&self) -> Option<DVec3> {
+        let unit = self.unit(self.simulation.state().body_momentum);
+        (unit != DVec3::ZERO && unit.is_finite()).then_some(unit)
+    }
+
+    /// Principal components of a vector of the body.
+    #[must_use]
+    pub fn principal(&self, vector: DVec3) -> Vec3 {
+        single(self.simulation.body().body_from_principal().transpose() * vector)
+    }
+
+    /// Units of the picture a rad/s.
+    #[must_use]
+    pub fn per_radian(&self) -> f64 {
+        self.per_radian
+    }
+
+    /// Height above the centre at which the tip of ω moves, and depth below it of the invariable plane.
+    #[must_use]
+    pub fn plane_height(&self) -> f32 {
+        self.plane_height as f32
+    }
+
+    /// A time (s) in which much happens: between flips, or about two turns where there are none.
+    #[must_use]
+    pub fn period(&self) -> f64 {
+        self.period
     }
 
     /// A momentum in units of the start's, without overflow.

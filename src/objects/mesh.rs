@@ -6,9 +6,6 @@ use glam::{Mat3, Vec2, Vec3};
 
 use crate::frame::{Color, Mesh, Vertex};
 
-/// Corners of a round outline.
-const ROUND: u32 = 64;
-
 /// Adds a flat four-cornered face; the corners counter-clockwise seen from outside.
 pub(super) fn add_quad(mesh: &mut Mesh, corners: [Vec3; 4], normal: Vec3, color: Color) {
     let base = mesh.vertices.len() as u32;
@@ -33,22 +30,28 @@ pub(super) fn add_box(mesh: &mut Mesh, centre: Vec3, map: Mat3, half: Vec3, colo
     }
 }
 
-/// A round body about the z axis of `map`, through rings of (radius, height), bottom first; smooth between rings
-/// where `smooth`, and closed by flat ends where the first or last radius is not 0.
-pub(super) fn add_lathe(mesh: &mut Mesh, centre: Vec3, map: Mat3, profile: &[Vec2], color: impl Fn(Vec3) -> Color) {
+/// A round body about the z axis of `map`, through rings of (radius, height), bottom first, of `round` corners each.
+pub(super) fn add_lathe(
+    mesh: &mut Mesh,
+    centre: Vec3,
+    map: Mat3,
+    profile: &[Vec2],
+    round: u32,
+    color: impl Fn(Vec3) -> Color,
+) {
     for pair in profile.windows(2) {
         let (low, high) = (pair[0], pair[1]);
         let slope = Vec2::new(high.y - low.y, low.x - high.x).normalize_or_zero();
         let base = mesh.vertices.len() as u32;
-        for i in 0..=ROUND {
-            let (sin, cos) = (TAU * i as f32 / ROUND as f32).sin_cos();
+        for i in 0..=round {
+            let (sin, cos) = (TAU * i as f32 / round as f32).sin_cos();
             let local = Vec3::new(cos * slope.x, sin * slope.x, slope.y);
             for ring in [low, high] {
                 let position = centre + map * Vec3::new(cos * ring.x, sin * ring.x, ring.y);
                 mesh.vertices.push(Vertex { position, normal: (map * local).normalize_or_zero(), color: color(local) });
             }
         }
-        for i in 0..ROUND {
+        for i in 0..round {
             let at = base + 2 * i;
             mesh.indices.extend([at, at + 2, at + 3, at, at + 3, at + 1]);
         }

@@ -3,11 +3,17 @@
 //! To draw something new: one file here, and one row of [`OBJECTS`].
 
 mod arrow;
+mod axes;
 mod body;
+mod body_axes;
 mod context;
+mod floor;
+mod ghosts;
 mod layout;
+mod level_sets;
 mod mesh;
 mod polhode;
+mod separatrix;
 mod surfaces;
 mod theme;
 mod tip;
@@ -18,6 +24,7 @@ use crate::scene;
 use crate::sim::Simulation;
 
 pub use context::Context;
+pub use ghosts::method_color;
 pub use layout::{Cameras, Space, areas};
 pub use theme::Palette;
 
@@ -47,13 +54,28 @@ const fn object(
 
 /// All objects, in the order in which they are added.
 pub static OBJECTS: &[Object] = &[
+    object("shadow", "Shadow", Space::World, true, floor::shadow),
+    object("plane", "Invariable plane", Space::World, false, floor::plane),
+    object("annulus", "Annulus of the herpolhode", Space::World, false, floor::annulus),
+    object("herpolhode", "Herpolhode", Space::World, false, floor::herpolhode),
+    object("rolling-ellipsoid", "Poinsot's rolling ellipsoid", Space::World, false, floor::rolling_ellipsoid),
+    object("rolling-sphere", "Momentum sphere, rolling with the body", Space::World, false, body_axes::carried_sphere),
+    object("axis-trail", "Trail of the spin axis", Space::World, false, body_axes::trail),
     object("body", "Body", Space::World, true, body::draw),
+    object("body-axes", "Axes of the body", Space::World, false, body_axes::axes),
+    object("ghosts", "Bodies of the other methods", Space::World, true, ghosts::bodies),
     object("momentum", "Angular momentum L", Space::World, true, vectors::momentum),
     object("omega", "Angular velocity ω", Space::World, true, vectors::angular_velocity),
     object("sphere", "Sphere |M| = ℓ", Space::Body, true, surfaces::sphere),
     object("ellipsoid", "Energy ellipsoid", Space::Body, true, surfaces::ellipsoid),
+    object("axes", "Principal axes", Space::Body, true, axes::axes),
+    object("level-sets", "Levels of the energy", Space::Body, true, level_sets::draw),
+    object("separatrix", "Separatrix", Space::Body, true, separatrix::draw),
+    object("poles", "Steady spins", Space::Body, true, axes::poles),
     object("polhode", "Polhode", Space::Body, true, polhode::draw),
-    object("tip", "Tip of M", Space::Body, true, tip::draw),
+    object("ghost-marks", "M of the other methods", Space::Body, true, ghosts::marks),
+    object("tail", "Tail of M", Space::Body, true, tip::tail),
+    object("tip", "Tip of M", Space::Body, true, tip::tip),
 ];
 
 /// Looks an object up by its name.
@@ -73,7 +95,7 @@ pub fn is_shown(object: &Object, view: &scene::View) -> bool {
 #[must_use]
 pub fn build_frame(simulation: &Simulation, settings: &scene::View, cameras: &Cameras, aspect: f32) -> Frame {
     let palette = Palette::new(settings.theme);
-    let context = Context::new(simulation, settings, palette);
+    let context = Context::new(simulation, settings, &palette);
     let views = areas(settings.layout, aspect)
         .into_iter()
         .map(|(space, area)| {

@@ -1,37 +1,70 @@
 //! The sphere of constant |M| and the ellipsoid of constant energy. They cut each other along the polhode, and
 //! neither encloses the other.
 
-use glam::{DVec3, Mat3, Vec3};
+use glam::{DVec3, Mat3, Vec2, Vec3};
 
 use super::Context;
-use crate::frame::{Quadric, QuadricPair, View, single};
+use crate::frame::{Color, Label, Quadric, QuadricPair, View, single};
+use crate::physics::poinsot;
+
+/// Directions of the picture among which the labels choose.
+const DIRECTIONS: u32 = 24;
 
 /// |M| = ℓ: the unit sphere of the picture.
 pub(super) fn sphere(context: &Context<'_>, view: &mut View) {
-    if context.momentum_length() > 0.0 {
-        add(view, Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, Vec3::ONE, context.palette.sphere));
+    if context.unit_momentum().is_none() {
+        return;
     }
+    let color = context.palette.sphere;
+    add(view, Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, Vec3::ONE, color));
+    // Its name stands where it is farthest outside the ellipsoid.
+    let semi_axes = single(semi_axes(context));
+    label(view, "|M| = ℓ", color, |direction| (-support(semi_axes, direction).dot(direction), direction));
 }
 
 /// ½ Σ Mᵢ²/Iᵢ = K: semi-axes √(2K Iᵢ).
 pub(super) fn ellipsoid(context: &Context<'_>, view: &mut View) {
-    if context.momentum_length() > 0.0 {
-        let semi_axes = single(semi_axes(context));
-        add(view, Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, semi_axes, context.palette.ellipsoid));
+    if context.unit_momentum().is_none() {
+        return;
     }
+    let color = context.palette.ellipsoid;
+    let semi_axes = single(semi_axes(context));
+    add(view, Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, semi_axes, color));
+    label(view, "energy K", color, |direction| {
+        let point = support(semi_axes, direction);
+        (point.dot(direction), point)
+    });
 }
 
 /// Semi-axes of the energy ellipsoid of the state now, in units of ℓ.
 pub(super) fn semi_axes(context: &Context<'_>) -> DVec3 {
     let body = context.simulation.body();
-    let unit = context.simulation.state().body_momentum / context.momentum_length();
-    let twice_energy = 2.0 * body.energy(unit);
-    (body.principal_moments() * twice_energy).map(f64::sqrt)
+    let unit = context.unit_momentum().unwrap_or_default();
+    poinsot::energy_semi_axes(body, body.energy(unit))
+}
+
+/// The point of an ellipsoid farthest in a direction: S²d/|Sd|.
+fn support(semi_axes: Vec3, direction: Vec3) -> Vec3 {
+    let scaled = semi_axes * direction;
+    semi_axes * scaled / scaled.length().max(1e-12)
 }
 
 fn add(view: &mut View, quadric: Quadric) {
     match view.quadrics.last_mut() {
         Some(pair) if pair.second.is_none() && !pair.hollow => pair.second = Some(quadric),
         _ => view.quadrics.push(QuadricPair { first: quadric, second: None, hollow: false }),
+    }
+}
+
+/// Writes a name at the outline, in the direction that is fittest.
+fn label(view: &mut View, text: &str, color: Color, place: impl Fn(Vec3) -> (f32, Vec3)) {
+    let (right, up, _) = view.camera.axes();
+    let best = (0..DIRECTIONS)
+        .map(|n| Vec2::from_angle(std::f32::consts::TAU * n as f32 / DIRECTIONS as f32))
+        .map(|flat| (flat, place(right * flat.x + up * flat.y)))
+        .max_by(|a, b| a.1.0.total_cmp(&b.1.0));
+    if let Some((toward, (_, anchor))) = best {
+        let (text, color) = (text.to_owned(), color.alpha(1.0));
+        view.labels.push(Label { anchor, toward, gap: 10.0, text, size: 19.0, color, priority: 2 });
     }
 }

@@ -25,6 +25,10 @@ pub struct Palette {
     pub ellipsoid: Color,
     /// The path of M.
     pub polhode: Color,
+    /// The border between the two kinds of motion.
+    pub separatrix: Color,
+    /// The body's shadow.
+    pub shadow: Color,
 }
 
 impl Palette {
@@ -34,32 +38,36 @@ impl Palette {
         let hex = Color::hex;
         match theme {
             Theme::Dark => Self {
-                background: hex(0x0014_171c),
+                background: hex(0x001b_1f26),
                 ink: hex(0x00e6_e8eb),
                 momentum: hex(0x00f0_e442),
-                omega: hex(0x00cc_79a7),
-                axes: [hex(0x0056_b4e9), hex(0x00e6_9f00), hex(0x0000_b386)],
+                omega: hex(0x00e0_88b8),
+                axes: [hex(0x0056_b4e9), hex(0x00f0_a030), hex(0x0020_c097)],
                 faces: [
-                    [hex(0x0056_b4e9), hex(0x00e8_9a3c), hex(0x00c9_d3d8)],
-                    [hex(0x001f_5f8f), hex(0x009a_5214), hex(0x005c_6a74)],
+                    [hex(0x0074_bfe8), hex(0x00ee_ac57), hex(0x007f_cfb4)],
+                    [hex(0x0033_7fb3), hex(0x00c0_702a), hex(0x003a_947b)],
                 ],
-                sphere: hex(0x0056_b4e9).alpha(0.16),
-                ellipsoid: hex(0x00e0_6a2c).alpha(0.24),
+                sphere: hex(0x0096_b4f0).alpha(0.11),
+                ellipsoid: hex(0x00f0_8f6a).alpha(0.15),
                 polhode: hex(0x00ff_f3a0),
+                separatrix: hex(0x00e6_e8eb),
+                shadow: hex(0x0000_0000).alpha(0.4),
             },
             Theme::Light => Self {
                 background: hex(0x00fb_faf7),
                 ink: hex(0x0020_242a),
                 momentum: hex(0x0020_242a),
                 omega: hex(0x00b0_3a78),
-                axes: [hex(0x0000_72b2), hex(0x00d5_5e00), hex(0x0000_7f5f)],
+                axes: [hex(0x0000_72b2), hex(0x00c4_6200), hex(0x0000_7f5f)],
                 faces: [
-                    [hex(0x006f_c1ee), hex(0x00f0_a850), hex(0x00e4_e9ec)],
-                    [hex(0x002a_6fa3), hex(0x00b0_6018), hex(0x008a_979f)],
+                    [hex(0x0086_cbf0), hex(0x00f4_b766), hex(0x0093_d8c0)],
+                    [hex(0x0045_8fc0), hex(0x00cf_7f36), hex(0x0048_a189)],
                 ],
-                sphere: hex(0x003a_9bd9).alpha(0.14),
-                ellipsoid: hex(0x00e0_6a2c).alpha(0.22),
+                sphere: hex(0x005f_86c8).alpha(0.09),
+                ellipsoid: hex(0x00dd_6a48).alpha(0.11),
                 polhode: hex(0x0020_242a),
+                separatrix: hex(0x0045_4b55),
+                shadow: hex(0x0020_242a).alpha(0.2),
             },
         }
     }

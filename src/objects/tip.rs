@@ -1,20 +1,42 @@
-//! The tip of M, the momentum as the body sees it.
+//! The tip of M, the momentum as the body sees it, and the way that it has come.
 
 use glam::{Vec2, Vec3};
 
 use super::{Context, arrow};
-use crate::frame::{Label, Mark, Point, View};
+use crate::frame::{Label, Line, LinePoint, Mark, Point, View};
+use crate::physics::Motion;
 
-pub(super) fn draw(context: &Context<'_>, view: &mut View) {
+/// Points of the tail.
+const TAIL_POINTS: u32 = 40;
+
+/// M as an arrow, its tip as a ball.
+pub(super) fn tip(context: &Context<'_>, view: &mut View) {
     let color = context.palette.momentum;
     let tip = context.body_momentum(context.simulation.state().body_momentum);
     if tip == Vec3::ZERO {
         return;
     }
-    arrow::add(view, Vec3::ZERO, tip * 0.985, color);
+    arrow::add(view, Vec3::ZERO, tip * 0.97, color);
     let rim = context.palette.background;
-    view.points.push(Point { position: tip, size: 15.0, mark: Mark::Disc, color, rim, hidden: 0.6 });
+    view.points.push(Point { position: tip, size: 17.0, mark: Mark::Disc, color, rim, hidden: 0.7 });
     let text = "M".to_owned();
     let toward = Vec2::new(0.6, 1.0);
     view.labels.push(Label { anchor: tip, toward, gap: 14.0, text, size: 26.0, color, priority: 9 });
+}
+
+/// Where M was a moment ago, fading.
+pub(super) fn tail(context: &Context<'_>, view: &mut View) {
+    if context.unit_momentum().is_none() {
+        return;
+    }
+    let motion = Motion::new(context.simulation.body(), context.simulation.state());
+    let duration = 0.22 * context.period();
+    let points = (0..=TAIL_POINTS).map(|n| {
+        let part = f64::from(n) / f64::from(TAIL_POINTS);
+        let momentum = motion.state(-duration * part).body_momentum;
+        let color = context.palette.momentum.fade((1.0 - part as f32).powi(2));
+        LinePoint { position: context.body_momentum(momentum), color }
+    });
+    let points: Vec<LinePoint> = points.filter(|point| point.position.is_finite()).collect();
+    view.lines.push(Line { points, ..Line::new([], 9.0, context.palette.momentum).through(0.4) });
 }

@@ -6,7 +6,7 @@ use super::{Context, arrow};
 use crate::frame::{Color, Label, View};
 
 /// Length of L's arrow, a little beyond the plane of ω's tip.
-const MOMENTUM_ARROW: f32 = 1.42;
+const MOMENTUM_ARROW: f32 = 1.34;
 /// Longest arrow that stays in the picture.
 const LONGEST: f32 = 1.7;
 

@@ -38,6 +38,49 @@ impl FrameBuffer {
     }
 }
 
+/// Quads, each described by one value. Every corner gets its own copy of the value: drivers without a GPU spend far
+/// longer on an instance than on four corners. A shader tells the corners apart by `vertex_index & 3`.
+pub(super) struct QuadBuffer {
+    corners: FrameBuffer,
+    indices: FrameBuffer,
+    /// How many quads the indices hold.
+    indexed: usize,
+}
+
+impl QuadBuffer {
+    pub(super) fn new(label: &'static str) -> Self {
+        Self {
+            corners: FrameBuffer::new(label, wgpu::BufferUsages::VERTEX),
+            indices: FrameBuffer::new("quad indices", wgpu::BufferUsages::INDEX),
+            indexed: 0,
+        }
+    }
+
+    pub(super) fn write<T: bytemuck::Pod>(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, quads: &[T]) {
+        let corners: Vec<T> = quads.iter().flat_map(|quad| [*quad; 4]).collect();
+        self.corners.write(device, queue, bytemuck::cast_slice(&corners));
+        if quads.len() > self.indexed {
+            self.indexed = quads.len().next_power_of_two();
+            let indices: Vec<u32> =
+                (0..self.indexed as u32).flat_map(|quad| [0, 1, 2, 2, 1, 3].map(|corner| 4 * quad + corner)).collect();
+            self.indices.write(device, queue, bytemuck::cast_slice(&indices));
+        }
+    }
+
+    /// Makes the quads those that the next draws draw; false where there are none.
+    pub(super) fn bind(&self, pass: &mut wgpu::RenderPass<'_>) -> bool {
+        let (Some(corners), Some(indices)) = (self.corners.get(), self.indices.get()) else { return false };
+        pass.set_vertex_buffer(0, corners.slice(..));
+        pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
+        true
+    }
+
+    /// Draws the bound quads of these numbers.
+    pub(super) fn draw(pass: &mut wgpu::RenderPass<'_>, quads: std::ops::Range<u32>) {
+        pass.draw_indexed(6 * quads.start..6 * quads.end, 0, 0..1);
+    }
+}
+
 /// Uniforms read one at a time through a dynamic offset.
 pub(super) struct UniformBuffer {
     buffer: FrameBuffer,

@@ -1,10 +1,10 @@
-//! Lines: an instanced quad a segment.
+//! Lines: a quad a segment.
 
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 
-use super::buffer::FrameBuffer;
+use super::buffer::QuadBuffer;
 use super::pipeline::{PipelineMaker, Recipe};
 use crate::frame::{Dash, Frame, Line};
 
@@ -25,7 +25,7 @@ struct SegmentData {
 pub(super) struct Lines {
     seen: wgpu::RenderPipeline,
     hidden: wgpu::RenderPipeline,
-    segments: FrameBuffer,
+    segments: QuadBuffer,
     views: Vec<Range<u32>>,
 }
 
@@ -39,14 +39,13 @@ impl Lines {
                 vertex,
                 buffer: Some(wgpu::VertexBufferLayout {
                     array_stride: size_of::<SegmentData>() as u64,
-                    step_mode: wgpu::VertexStepMode::Instance,
+                    step_mode: wgpu::VertexStepMode::Vertex,
                     attributes: &wgpu::vertex_attr_array![
                         0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3,
                         4 => Float32x4, 5 => Float32x2, 6 => Float32x4, 7 => Float32x4
                     ],
                 }),
                 group: None,
-                strips: true,
                 cull: None,
                 depth,
                 writes_depth: false,
@@ -55,7 +54,7 @@ impl Lines {
         Self {
             seen: pipeline("lines", "vertex_seen", wgpu::CompareFunction::GreaterEqual),
             hidden: pipeline("hidden lines", "vertex_hidden", wgpu::CompareFunction::Less),
-            segments: FrameBuffer::new("line segments", wgpu::BufferUsages::VERTEX),
+            segments: QuadBuffer::new("line segments"),
             views: vec![],
         }
     }
@@ -70,18 +69,17 @@ impl Lines {
             }
             self.views.push(start..segments.len() as u32);
         }
-        self.segments.write(device, queue, bytemuck::cast_slice(&segments));
+        self.segments.write(device, queue, &segments);
     }
 
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        let (Some(segments), Some(range)) = (self.segments.get(), self.views.get(view)) else { return };
-        if range.is_empty() {
+        let Some(range) = self.views.get(view).filter(|range| !range.is_empty()) else { return };
+        if !self.segments.bind(pass) {
             return;
         }
-        pass.set_vertex_buffer(0, segments.slice(..));
         for pipeline in [&self.hidden, &self.seen] {
             pass.set_pipeline(pipeline);
-            pass.draw(0..4, range.clone());
+            QuadBuffer::draw(pass, range.clone());
         }
     }
 }

@@ -1,7 +1,9 @@
 //! How a [`Frame`](crate::frame::Frame) is drawn: wgpu, one file a primitive, the same for window and file.
 
 mod buffer;
+mod glyphs;
 mod gpu;
+mod labels;
 mod line;
 mod pipeline;
 mod point;
@@ -10,6 +12,7 @@ mod readback;
 mod renderer;
 mod solid;
 mod targets;
+mod text;
 mod view;
 
 pub use gpu::{AdapterDescription, Gpu, GpuError, adapters, no_adapter};

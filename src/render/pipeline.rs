@@ -24,8 +24,6 @@ pub(super) struct Recipe<'a> {
     pub(super) buffer: Option<wgpu::VertexBufferLayout<'a>>,
     /// The layout of bind group 1, after the view's.
     pub(super) group: Option<&'a wgpu::BindGroupLayout>,
-    /// Quads as strips of four corners; otherwise triangles.
-    pub(super) strips: bool,
     pub(super) cull: Option<wgpu::Face>,
     /// Which depths are drawn, seen from the buffer's; nearer is greater.
     pub(super) depth: wgpu::CompareFunction,
@@ -47,8 +45,6 @@ impl PipelineMaker<'_> {
             bind_group_layouts: &groups,
             immediate_size: 0,
         });
-        let topology =
-            if recipe.strips { wgpu::PrimitiveTopology::TriangleStrip } else { wgpu::PrimitiveTopology::TriangleList };
         let buffers: Vec<_> = recipe.buffer.iter().cloned().map(Some).collect();
         self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(recipe.label),
@@ -59,7 +55,7 @@ impl PipelineMaker<'_> {
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
                 buffers: &buffers,
             },
-            primitive: wgpu::PrimitiveState { topology, cull_mode: recipe.cull, ..Default::default() },
+            primitive: wgpu::PrimitiveState { cull_mode: recipe.cull, ..Default::default() },
             depth_stencil: Some(wgpu::DepthStencilState {
                 format: DEPTH_FORMAT,
                 depth_write_enabled: Some(recipe.writes_depth),

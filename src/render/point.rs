@@ -1,10 +1,10 @@
-//! Marks: an instanced quad each.
+//! Marks: a quad each.
 
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 
-use super::buffer::FrameBuffer;
+use super::buffer::QuadBuffer;
 use super::pipeline::{PipelineMaker, Recipe};
 use crate::frame::{Frame, Mark};
 
@@ -22,7 +22,7 @@ struct MarkData {
 pub(super) struct Points {
     seen: wgpu::RenderPipeline,
     hidden: wgpu::RenderPipeline,
-    marks: FrameBuffer,
+    marks: QuadBuffer,
     views: Vec<Range<u32>>,
 }
 
@@ -36,13 +36,12 @@ impl Points {
                 vertex,
                 buffer: Some(wgpu::VertexBufferLayout {
                     array_stride: size_of::<MarkData>() as u64,
-                    step_mode: wgpu::VertexStepMode::Instance,
+                    step_mode: wgpu::VertexStepMode::Vertex,
                     attributes: &wgpu::vertex_attr_array![
                         0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32x4
                     ],
                 }),
                 group: None,
-                strips: true,
                 cull: None,
                 depth,
                 writes_depth: false,
@@ -51,7 +50,7 @@ impl Points {
         Self {
             seen: pipeline("points", "vertex_seen", wgpu::CompareFunction::GreaterEqual),
             hidden: pipeline("hidden points", "vertex_hidden", wgpu::CompareFunction::Less),
-            marks: FrameBuffer::new("points", wgpu::BufferUsages::VERTEX),
+            marks: QuadBuffer::new("points"),
             views: vec![],
         }
     }
@@ -79,18 +78,17 @@ impl Points {
             }));
             self.views.push(start..marks.len() as u32);
         }
-        self.marks.write(device, queue, bytemuck::cast_slice(&marks));
+        self.marks.write(device, queue, &marks);
     }
 
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        let (Some(marks), Some(range)) = (self.marks.get(), self.views.get(view)) else { return };
-        if range.is_empty() {
+        let Some(range) = self.views.get(view).filter(|range| !range.is_empty()) else { return };
+        if !self.marks.bind(pass) {
             return;
         }
-        pass.set_vertex_buffer(0, marks.slice(..));
         for pipeline in [&self.hidden, &self.seen] {
             pass.set_pipeline(pipeline);
-            pass.draw(0..4, range.clone());
+            QuadBuffer::draw(pass, range.clone());
         }
     }
 }

@@ -1,9 +1,11 @@
 //! Translucent ellipsoids, one or two at a time, composited exactly by one shader.
 
-use bytemuck::{Pod, Zeroable};
-use glam::{Mat4, Vec3, Vec4};
+use std::ops::Range;
 
-use super::buffer::UniformBuffer;
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec2, Vec3, Vec4};
+
+use super::buffer::{FrameBuffer, UniformBuffer};
 use super::pipeline::{PipelineMaker, Recipe};
 use super::view::ViewUniform;
 use crate::frame::{Frame, Quadric, QuadricPair};
@@ -13,7 +15,6 @@ use crate::frame::{Frame, Quadric, QuadricPair};
 #[repr(C)]
 struct PairUniform {
     quadrics: [QuadricData; 2],
-    bounds: Vec4,
     choice: Vec4,
 }
 
@@ -31,8 +32,17 @@ pub(super) struct Quadrics {
     /// Far walls behind something opaque that is still to show through.
     far_walls: wgpu::RenderPipeline,
     uniforms: UniformBuffer,
-    /// For each view its draws: number of the uniform, and whether it is far walls only.
-    views: Vec<Vec<(usize, bool)>>,
+    corners: FrameBuffer,
+    views: Vec<Vec<Draw>>,
+}
+
+/// One drawing of a pair.
+struct Draw {
+    /// Number of its uniform.
+    number: usize,
+    far_only: bool,
+    /// Its corners of triangles.
+    corners: Range<u32>,
 }
 
 impl Quadrics {
@@ -44,9 +54,12 @@ impl Quadrics {
                 label,
                 module: &module,
                 vertex: "vertex",
-                buffer: None,
+                buffer: Some(wgpu::VertexBufferLayout {
+                    array_stride: size_of::<Vec2>() as u64,
+                    step_mode: wgpu::VertexStepMode::Vertex,
+                    attributes: &wgpu::vertex_attr_array![0 => Float32x2],
+                }),
                 group: Some(uniforms.layout()),
-                strips: true,
                 cull: None,
                 depth: wgpu::CompareFunction::GreaterEqual,
                 writes_depth,
@@ -56,6 +69,7 @@ impl Quadrics {
             hiding: pipeline("quadrics", true),
             far_walls: pipeline("far walls of quadrics", false),
             uniforms,
+            corners: FrameBuffer::new("quadric corners", wgpu::BufferUsages::VERTEX),
             views: vec![],
         }
     }
@@ -67,61 +81,104 @@ impl Quadrics {
         frame: &Frame,
         view_uniforms: &[ViewUniform],
     ) {
-        let mut pairs = vec![];
+        let (mut pairs, mut corners) = (vec![], vec![]);
         self.views.clear();
         for (view, uniform) in frame.views.iter().zip(view_uniforms) {
             let mut draws = vec![];
             for pair in &view.quadrics {
+                let start = corners.len() as u32;
+                corners.extend(covering_triangles(pair, uniform.clip_from_world));
+                let corners = start..corners.len() as u32;
                 let passes: &[[f32; 2]] = if pair.hollow { &[[0.0, 1.0], [1.0, 0.0]] } else { &[[1.0, 1.0]] };
                 for &[near, far] in passes {
-                    draws.push((pairs.len(), near == 0.0));
-                    pairs.push(pair_uniform(pair, uniform.clip_from_world, [near, far]));
+                    draws.push(Draw { number: pairs.len(), far_only: near == 0.0, corners: corners.clone() });
+                    pairs.push(pair_uniform(pair, [near, far]));
                 }
             }
             self.views.push(draws);
         }
         if !pairs.is_empty() {
             self.uniforms.write(device, queue, &pairs);
+            self.corners.write(device, queue, bytemuck::cast_slice(&corners));
         }
     }
 
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        for &(number, far_only) in self.views.get(view).into_iter().flatten() {
-            pass.set_pipeline(if far_only { &self.far_walls } else { &self.hiding });
-            self.uniforms.bind(pass, 1, number);
-            pass.draw(0..4, 0..1);
+        let (Some(corners), Some(draws)) = (self.corners.get(), self.views.get(view)) else { return };
+        for draw in draws {
+            pass.set_pipeline(if draw.far_only { &self.far_walls } else { &self.hiding });
+            pass.set_vertex_buffer(0, corners.slice(..));
+            self.uniforms.bind(pass, 1, draw.number);
+            pass.draw(draw.corners.clone(), 0..1);
         }
     }
 }
 
-fn pair_uniform(pair: &QuadricPair, clip_from_world: Mat4, [near, far]: [f32; 2]) -> PairUniform {
+fn pair_uniform(pair: &QuadricPair, [near, far]: [f32; 2]) -> PairUniform {
     let data = |quadric: Quadric| QuadricData { unit_from_world: quadric.unit_from_world, color: quadric.color.0 };
     let second = pair.second.unwrap_or(pair.first);
-    let (low_1, high_1) = bounds(pair.first, clip_from_world);
-    let (low_2, high_2) = bounds(second, clip_from_world);
-    let (low, high) = (low_1.min(low_2), high_1.max(high_2));
     PairUniform {
         quadrics: [data(pair.first), data(second)],
-        bounds: Vec4::new(low.x, low.y, high.x, high.y),
         choice: Vec4::new(f32::from(pair.second.is_some()), near, far, 0.0),
     }
 }
 
-/// The rectangle of the screen that holds the quadric's bounding box, with a margin for its soft edge; the whole
-/// screen where the box reaches behind the eye.
-fn bounds(quadric: Quadric, clip_from_world: Mat4) -> (glam::Vec2, glam::Vec2) {
-    const MARGIN: f32 = 1.02;
-    let clip_from_unit = clip_from_world * quadric.unit_from_world.inverse();
-    let (mut low, mut high) = (glam::Vec2::ONE, glam::Vec2::NEG_ONE);
-    for corner in 0..8 {
-        let sign = |bit: i32| if corner >> bit & 1 == 0 { -MARGIN } else { MARGIN };
-        let clip = clip_from_unit * Vec3::new(sign(0), sign(1), sign(2)).extend(1.0);
-        if clip.w <= crate::camera::NEAR {
-            return (glam::Vec2::NEG_ONE, glam::Vec2::ONE);
+/// Triangles of the screen that hold both quadrics and little else: the convex hull of the corners of polyhedra
+/// round them. The whole screen where one reaches behind the eye.
+fn covering_triangles(pair: &QuadricPair, clip_from_world: Mat4) -> Vec<Vec2> {
+    let mut points = vec![];
+    for quadric in [Some(pair.first), pair.second].into_iter().flatten() {
+        let clip_from_unit = clip_from_world * quadric.unit_from_world.inverse();
+        for corner in polyhedron() {
+            let clip = clip_from_unit * corner.extend(1.0);
+            if clip.w <= crate::camera::NEAR {
+                let [a, b, c, d] = [Vec2::NEG_ONE, Vec2::new(1.0, -1.0), Vec2::ONE, Vec2::new(-1.0, 1.0)];
+                return vec![a, b, c, a, c, d];
+            }
+            points.push(Vec2::new(clip.x, clip.y) / clip.w);
         }
-        let ndc = glam::Vec2::new(clip.x, clip.y) / clip.w;
-        low = low.min(ndc);
-        high = high.max(ndc);
     }
-    (low.max(glam::Vec2::NEG_ONE), high.min(glam::Vec2::ONE))
+    let hull = convex_hull(points);
+    let Some((&first, rest)) = hull.split_first() else { return vec![] };
+    rest.windows(2).flat_map(|pair| [first, pair[0], pair[1]]).collect()
+}
+
+/// Corners of a polyhedron round the unit sphere, with a margin for the sphere's soft edge: the 12 of an icosahedron
+/// and the 20 of its dual dodecahedron. Their hull's faces lie at 0.92 of the corners' distance.
+fn polyhedron() -> impl Iterator<Item = Vec3> {
+    const DISTANCE: f32 = 1.11;
+    const GOLDEN: f32 = 1.618_034;
+    let cyclic = |a: f32, b: f32, c: f32| [Vec3::new(a, b, c), Vec3::new(c, a, b), Vec3::new(b, c, a)];
+    let signs = |s: u32| [if s & 1 == 0 { 1.0 } else { -1.0 }, if s & 2 == 0 { 1.0 } else { -1.0 }];
+    let icosahedron = (0..4).flat_map(move |s| {
+        let [p, q] = signs(s);
+        cyclic(0.0, p, q * GOLDEN)
+    });
+    let dodecahedron = (0..4).flat_map(move |s| {
+        let [p, q] = signs(s);
+        cyclic(0.0, p * GOLDEN, q / GOLDEN)
+    });
+    let cube = (0..8).map(|s| Vec3::from_array([0, 1, 2].map(|bit| if s >> bit & 1 == 0 { 1.0 } else { -1.0 })));
+    icosahedron.chain(dodecahedron).chain(cube).map(|corner| corner.normalize() * DISTANCE)
+}
+
+/// Andrew's monotone chain.
+fn convex_hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
+    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    let mut hull: Vec<Vec2> = vec![];
+    let mut half = |points: &mut dyn Iterator<Item = Vec2>| {
+        let start = hull.len();
+        for point in points {
+            while let [.., a, b] = hull[start..]
+                && (b - a).perp_dot(point - a) <= 0.0
+            {
+                hull.pop();
+            }
+            hull.push(point);
+        }
+        hull.pop();
+    };
+    half(&mut points.iter().copied());
+    half(&mut points.iter().rev().copied());
+    hull
 }

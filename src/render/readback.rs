@@ -12,8 +12,8 @@ pub struct Canvas {
     size: [u32; 2],
 }
 
-/// A picture in memory: sRGB bytes, red, green, blue, opacity, by rows from the top; premultiplied in linear
-/// light where it was drawn transparent.
+/// A picture in memory: sRGB bytes, red, green, blue, opacity, by rows from the top; premultiplied where it
+/// was drawn transparent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pixels {
     /// Width and height.
@@ -63,7 +63,13 @@ impl Canvas {
     /// # Errors
     /// What the device has reported since the last call.
     pub fn read(&self, gpu: &Gpu) -> Result<Pixels, GpuError> {
-        let [width, height] = self.size;
+        let reading = self.begin_read(gpu);
+        self.finish_read(gpu, reading)
+    }
+
+    /// Asks for what was drawn so far, without waiting: the device goes on while another canvas is prepared.
+    #[must_use]
+    pub fn begin_read(&self, gpu: &Gpu) -> wgpu::SubmissionIndex {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encoder.copy_texture_to_buffer(
             self.texture.as_image_copy(),
@@ -71,15 +77,24 @@ impl Canvas {
                 buffer: &self.staging,
                 layout: wgpu::TexelCopyBufferLayout {
                     offset: 0,
-                    bytes_per_row: Some(row_bytes(width)),
+                    bytes_per_row: Some(row_bytes(self.size[0])),
                     rows_per_image: None,
                 },
             },
             extent(self.size),
         );
-        gpu.queue.submit([encoder.finish()]);
+        let reading = gpu.queue.submit([encoder.finish()]);
         self.staging.map_async(wgpu::MapMode::Read, .., |_| {});
-        let polled = gpu.device.poll(wgpu::PollType::wait_indefinitely());
+        reading
+    }
+
+    /// Waits for the picture that [`Self::begin_read`] asked for, and for nothing drawn after it.
+    ///
+    /// # Errors
+    /// What the device has reported since the last call.
+    pub fn finish_read(&self, gpu: &Gpu, reading: wgpu::SubmissionIndex) -> Result<Pixels, GpuError> {
+        let [width, height] = self.size;
+        let polled = gpu.device.poll(wgpu::PollType::Wait { submission_index: Some(reading), timeout: None });
         gpu.check()?;
         polled.map_err(|cause| GpuError::Drawing(cause.to_string()))?;
         let rows = self.staging.get_mapped_range(..).map_err(|cause| GpuError::Drawing(cause.to_string()))?;

@@ -10,11 +10,13 @@ use super::point::Points;
 use super::quadrics::Quadrics;
 use super::solid::Solids;
 use super::targets::Targets;
+use super::text::Texts;
 use super::view::ViewUniform;
 use crate::frame::Frame;
 
-/// The format of what is drawn into: 8 bits a channel, blended in linear light.
-pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
+/// The format of what is drawn into: 8 bits a channel that hold sRGB values, blended as they are. (Blending in linear light
+/// took half as long again with no GPU, and a transparent picture then looked another on a slide.)
+pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// Pixels a point in a picture of this size, so that it looks the same at each size of one aspect: 1 at 1280×720.
 #[must_use]
@@ -29,6 +31,7 @@ pub struct Renderer {
     quadrics: Quadrics,
     lines: Lines,
     points: Points,
+    texts: Texts,
     targets: Option<Targets>,
 }
 
@@ -42,7 +45,8 @@ impl Renderer {
         let quadrics = Quadrics::new(&maker);
         let lines = Lines::new(&maker);
         let points = Points::new(&maker);
-        Self { views, solids, quadrics, lines, points, targets: None }
+        let texts = Texts::new(&maker);
+        Self { views, solids, quadrics, lines, points, texts, targets: None }
     }
 
     /// Draws the frame into `target`, a view of a [`FORMAT`] texture of this size, with `point` pixels a point
@@ -61,6 +65,7 @@ impl Renderer {
         self.quadrics.upload(device, queue, frame, &uniforms);
         self.lines.upload(device, queue, frame);
         self.points.upload(device, queue, frame);
+        self.texts.upload(device, queue, frame, &uniforms, picture, point);
 
         let targets = match self.targets.take() {
             Some(targets) if targets.size == size => targets,
@@ -97,6 +102,7 @@ impl Renderer {
                 self.quadrics.draw(&mut pass, number);
                 self.lines.draw(&mut pass, number);
                 self.points.draw(&mut pass, number);
+                self.texts.draw(&mut pass, number);
             }
         }
         queue.submit([encoder.finish()]);

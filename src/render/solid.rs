@@ -47,7 +47,6 @@ impl Solids {
                     attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x4],
                 }),
                 group: None,
-                strips: false,
                 cull,
                 depth: wgpu::CompareFunction::GreaterEqual,
                 writes_depth,

@@ -30,7 +30,7 @@ impl ViewUniform {
         let half_height = (0.5 * Camera::vertical_field(aspect)).tan();
         // The lights stay with the eye, so that a turned camera sees the same light: key from the upper left,
         // fill from the right.
-        let key = (up * 0.75 - right * 0.5 - forward * 0.6).normalize();
+        let key = (up * 0.6 - right * 0.42 - forward * 0.75).normalize();
         let fill = (right * 0.9 - forward * 0.4 - up * 0.1).normalize();
         let wide = |v: Vec3, w: f32| v.extend(w);
         Self {

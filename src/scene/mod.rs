@@ -5,12 +5,14 @@
 //! and check it again, so there is one way in.
 
 mod check;
+mod command;
 mod file;
 mod nearest;
 mod presets;
 mod view;
 
 pub use check::{Part, PartKind, Scene, SceneError};
+pub use command::{flags, quoted};
 pub use file::{BodyFile, MotionFile, SceneFile, SpinFile, ViewFile};
 pub use nearest::nearest;
 pub use presets::{DEFAULT_PRESET, Preset, preset, presets};

@@ -1,0 +1,124 @@
+//! The picture's own texture, and the copy of it into the window. The picture is redrawn only when something in it
+//! changed; the panels around it come and go without it.
+
+use crate::render::{FORMAT, Gpu};
+
+/// The picture's texture and what copies it.
+#[derive(Debug)]
+pub(super) struct Compose {
+    pipeline: wgpu::RenderPipeline,
+    layout: wgpu::BindGroupLayout,
+    can_reinterpret: bool,
+    picture: Option<Picture>,
+}
+
+#[derive(Debug)]
+struct Picture {
+    size: (u32, u32),
+    target: wgpu::TextureView,
+    source: wgpu::BindGroup,
+}
+
+impl Compose {
+    pub(super) fn new(gpu: &Gpu, window_format: wgpu::TextureFormat) -> Self {
+        let device = &gpu.device;
+        let can_reinterpret =
+            gpu.adapter.get_downlevel_capabilities().flags.contains(wgpu::DownlevelFlags::VIEW_FORMATS);
+        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("picture in window"),
+            entries: &[wgpu::BindGroupLayoutEntry {
+                binding: 0,
+                visibility: wgpu::ShaderStages::FRAGMENT,
+                ty: wgpu::BindingType::Texture {
+                    sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                    view_dimension: wgpu::TextureViewDimension::D2,
+                    multisampled: false,
+                },
+                count: None,
+            }],
+        });
+        let module = device.create_shader_module(wgpu::include_wgsl!("blit.wgsl"));
+        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some("picture in window"),
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        // Read through a view that does not decode, the values are right as they are; else they are encoded again,
+        // unless the window's format does that.
+        let encodes = !can_reinterpret && !window_format.is_srgb();
+        let constants = [("encode", f64::from(u8::from(encodes)))];
+        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("picture in window"),
+            layout: Some(&pipeline_layout),
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("vertex"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: None,
+            multisample: wgpu::MultisampleState::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some("fragment"),
+                compilation_options: wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() },
+                targets: &[Some(window_format.into())],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
+        Self { pipeline, layout, can_reinterpret: can_reinterpret && !window_format.is_srgb(), picture: None }
+    }
+
+    /// Gives the picture this size; true where its content is thereby lost.
+    pub(super) fn resize(&mut self, gpu: &Gpu, size: (u32, u32)) -> bool {
+        if self.picture.as_ref().is_some_and(|picture| picture.size == size) {
+            return false;
+        }
+        let plain = FORMAT.remove_srgb_suffix();
+        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("picture"),
+            size: wgpu::Extent3d { width: size.0, height: size.1, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: FORMAT,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+            view_formats: if self.can_reinterpret { std::slice::from_ref(&plain) } else { &[] },
+        });
+        let read = texture.create_view(&wgpu::TextureViewDescriptor {
+            format: self.can_reinterpret.then_some(plain),
+            usage: Some(wgpu::TextureUsages::TEXTURE_BINDING),
+            ..Default::default()
+        });
+        let source = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("picture in window"),
+            layout: &self.layout,
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&read) }],
+        });
+        self.picture =
+            Some(Picture { size, target: texture.create_view(&wgpu::TextureViewDescriptor::default()), source });
+        true
+    }
+
+    /// What the picture is drawn to, and its size.
+    pub(super) fn target(&self) -> Option<(&wgpu::TextureView, (u32, u32))> {
+        self.picture.as_ref().map(|picture| (&picture.target, picture.size))
+    }
+
+    /// Copies the picture to its place, `corner` in pixels of the window.
+    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, corner: (u32, u32), window: (u32, u32)) {
+        let Some(picture) = &self.picture else { return };
+        let (x, y) = corner;
+        let (width, height) = picture.size;
+        if x + width > window.0 || y + height > window.1 {
+            return;
+        }
+        pass.set_viewport(x as f32, y as f32, width as f32, height as f32, 0.0, 1.0);
+        pass.set_scissor_rect(x, y, width, height);
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &picture.source, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}

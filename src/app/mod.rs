@@ -1,0 +1,232 @@
+//! The window: events become commands, commands change the session, the session becomes a picture.
+//!
+//! Nothing is drawn unless something changed, and nothing at all while the window cannot be seen.
+
+mod compose;
+mod open;
+mod pacing;
+mod screen;
+mod session;
+mod startup;
+mod surface;
+
+use winit::application::ApplicationHandler;
+use winit::event::{StartCause, WindowEvent};
+use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
+use winit::window::WindowId;
+
+use web_time::Instant;
+
+pub use startup::WindowError;
+
+use crate::scene::Scene;
+use crate::ui::{Command, Panels};
+use open::OpenWindow;
+use pacing::Pacer;
+use session::{Request, Session};
+
+/// How the window is opened.
+#[derive(Clone, Debug, Default)]
+pub struct WindowOptions {
+    /// Its size in pixels.
+    pub size: Option<[u32; 2]>,
+    /// A part of the name of the graphics adapter to draw with.
+    pub adapter: Option<String>,
+}
+
+/// Opens the window on a scene and returns when it is closed.
+///
+/// # Errors
+/// No display, no graphics adapter, or a library missing: one sentence that says what to do about it.
+pub fn run(scene: Scene, options: WindowOptions) -> Result<(), WindowError> {
+    startup::check_display()?;
+    let event_loop =
+        EventLoop::<Wake>::with_user_event().build().map_err(|error| WindowError::Display(error.to_string()))?;
+    let mut app = App {
+        options,
+        proxy: event_loop.create_proxy(),
+        session: Session::new(scene),
+        panels: Panels::default(),
+        pacer: Pacer::new(),
+        window: None,
+        repaint_at: None,
+        error: None,
+    };
+    let outcome = event_loop.run_app(&mut app);
+    match app.error.take() {
+        Some(error) => Err(error),
+        None => outcome.map_err(|error| WindowError::Display(error.to_string())),
+    }
+}
+
+/// What wakes the event loop from outside.
+#[derive(Debug)]
+enum Wake {
+    /// A screen reader asks for something.
+    Access(egui_winit::accesskit_winit::Event),
+    /// The graphics device is gone.
+    DeviceLost,
+}
+
+impl From<egui_winit::accesskit_winit::Event> for Wake {
+    fn from(event: egui_winit::accesskit_winit::Event) -> Self {
+        Self::Access(event)
+    }
+}
+
+struct App {
+    options: WindowOptions,
+    proxy: EventLoopProxy<Wake>,
+    session: Session,
+    panels: Panels,
+    pacer: Pacer,
+    window: Option<OpenWindow>,
+    /// When something is to be drawn although simulated time stands.
+    repaint_at: Option<Instant>,
+    error: Option<WindowError>,
+}
+
+impl App {
+    /// Asks for a frame at the next beat.
+    fn wake(&mut self) {
+        self.repaint_at = Some(Instant::now());
+    }
+
+    fn fail(&mut self, event_loop: &ActiveEventLoop, error: WindowError) {
+        self.error = Some(error);
+        event_loop.exit();
+    }
+
+    /// The device is gone: everything on it is made anew.
+    fn recover(&mut self, event_loop: &ActiveEventLoop) {
+        let Some(window) = &mut self.window else { return };
+        if let Err(error) = window.recover(event_loop, &self.options, &self.proxy) {
+            self.fail(event_loop, error);
+            return;
+        }
+        self.session.picture_changed = true;
+        self.wake();
+    }
+
+    fn draw(&mut self, event_loop: &ActiveEventLoop) {
+        let Some(window) = &mut self.window else { return };
+        if !window.is_visible() {
+            return;
+        }
+        let now = Instant::now();
+        self.pacer.begin(now);
+        self.repaint_at = None;
+        if self.session.is_playing() {
+            let passed = self.pacer.tick(now);
+            self.session.advance(passed);
+            self.pacer.measure(now, self.session.sim.time(), std::mem::take(&mut self.session.time_jumped));
+        } else {
+            self.pacer.stand();
+        }
+        self.session.drop_old_message(now);
+        let drawn = window.draw(event_loop, &mut self.session, &mut self.panels, self.pacer.real_time_factor());
+        self.repaint_at = drawn.repaint_after.and_then(|delay| now.checked_add(delay));
+        let has_commands = !drawn.commands.is_empty();
+        self.apply(drawn.commands);
+        if has_commands {
+            self.wake();
+        }
+    }
+
+    fn apply(&mut self, commands: Vec<Command>) {
+        for command in commands {
+            let Some(request) = self.session.apply(command) else { continue };
+            match request {
+                Request::FocusPanel => self.panels.take_focus(),
+                Request::ToggleFullscreen => {
+                    if let Some(window) = &self.window {
+                        window.toggle_fullscreen();
+                    }
+                }
+                Request::Picture { .. } => {}
+            }
+        }
+    }
+}
+
+impl ApplicationHandler<Wake> for App {
+    fn new_events(&mut self, _: &ActiveEventLoop, _: StartCause) {}
+
+    fn resumed(&mut self, event_loop: &ActiveEventLoop) {
+        if self.window.is_some() {
+            return;
+        }
+        match OpenWindow::new(event_loop, &self.options, &self.proxy, &self.session) {
+            Ok(window) => {
+                self.pacer.set_refresh_rate(window.refresh_rate());
+                self.window = Some(window);
+                self.wake();
+            }
+            Err(error) => self.fail(event_loop, error),
+        }
+    }
+
+    fn user_event(&mut self, event_loop: &ActiveEventLoop, event: Wake) {
+        match event {
+            Wake::DeviceLost => self.recover(event_loop),
+            Wake::Access(event) => {
+                if let Some(window) = &mut self.window {
+                    window.on_access(event.window_event);
+                }
+                self.wake();
+            }
+        }
+    }
+
+    fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+        let Some(window) = &mut self.window else { return };
+        let wants_repaint = window.on_event(&event);
+        match event {
+            WindowEvent::CloseRequested => event_loop.exit(),
+            WindowEvent::RedrawRequested => {
+                self.draw(event_loop);
+                return;
+            }
+            WindowEvent::Moved(_) | WindowEvent::ScaleFactorChanged { .. } => {
+                self.pacer.set_refresh_rate(window.refresh_rate());
+            }
+            WindowEvent::DroppedFile(path) => self.apply(vec![Command::OpenFile(path)]),
+            _ => {}
+        }
+        if wants_repaint {
+            self.wake();
+        }
+    }
+
+    fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
+        let Some(window) = &self.window else { return };
+        if !window.is_visible() {
+            self.pacer.stand();
+            event_loop.set_control_flow(ControlFlow::Wait);
+            return;
+        }
+        if window.is_lost() {
+            self.recover(event_loop);
+            return;
+        }
+        let wanted = if self.session.is_playing() {
+            Some(self.pacer.due())
+        } else {
+            // However often events ask, frames keep their beat.
+            self.repaint_at.into_iter().chain(self.session.message_ends()).min().map(|at| at.max(self.pacer.due()))
+        };
+        match wanted {
+            None => event_loop.set_control_flow(ControlFlow::Wait),
+            Some(at) if at <= Instant::now() => {
+                window.request_redraw();
+                event_loop.set_control_flow(ControlFlow::Wait);
+            }
+            Some(at) => event_loop.set_control_flow(ControlFlow::WaitUntil(at)),
+        }
+    }
+
+    fn exiting(&mut self, _: &ActiveEventLoop) {
+        // While the display still stands: surface and device outlive nothing.
+        self.window = None;
+    }
+}

@@ -1,0 +1,230 @@
+//! The window while it is open: its events, its panels, its screen.
+
+use std::sync::Arc;
+
+use egui_winit::accesskit_winit;
+use web_time::Duration;
+use winit::dpi::{LogicalSize, PhysicalSize};
+use winit::event::WindowEvent;
+use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
+use winit::window::{Fullscreen, Window};
+
+use super::screen::{Painted, Screen};
+use super::session::Session;
+use super::{Wake, WindowError, WindowOptions};
+use crate::objects;
+use crate::ui::{Command, Panels, Pixels, keys, style};
+
+/// Size of the window where none is asked for (points).
+const SIZE: LogicalSize<f64> = LogicalSize::new(1280.0, 720.0);
+/// Smallest size that still holds the panels (points).
+const SMALLEST: LogicalSize<f64> = LogicalSize::new(480.0, 320.0);
+
+/// A wait for a repaint longer than this is one without end.
+const LONG: Duration = Duration::from_mins(10);
+
+/// An open window.
+pub(super) struct OpenWindow {
+    // Dropped first: it lives on the window.
+    screen: Screen,
+    egui: egui_winit::State,
+    window: Arc<Window>,
+    is_occluded: bool,
+    theme: Option<crate::scene::Theme>,
+    title: String,
+}
+
+/// What came of a frame.
+pub(super) struct Drawn {
+    /// What the user asked for.
+    pub(super) commands: Vec<Command>,
+    /// When the panels want to be drawn again; never where there is none.
+    pub(super) repaint_after: Option<Duration>,
+}
+
+impl OpenWindow {
+    pub(super) fn new(
+        event_loop: &ActiveEventLoop,
+        options: &WindowOptions,
+        proxy: &EventLoopProxy<Wake>,
+        session: &Session,
+    ) -> Result<Self, WindowError> {
+        let title = title(session);
+        // Hidden until there is something to see; the screen reader's part also wants it so.
+        let attributes =
+            Window::default_attributes().with_title(&title).with_min_inner_size(SMALLEST).with_visible(false);
+        let attributes = match options.size {
+            Some([width, height]) => attributes.with_inner_size(PhysicalSize::new(width, height)),
+            None => attributes.with_inner_size(SIZE),
+        };
+        let window = event_loop.create_window(attributes).map_err(|error| WindowError::Display(error.to_string()))?;
+        let window = Arc::new(window);
+        let context = egui::Context::default();
+        style::install(&context);
+        let scale = window.scale_factor() as f32;
+        let mut egui = egui_winit::State::new(context, egui::ViewportId::ROOT, &*window, Some(scale), None, None);
+        egui.init_accesskit(event_loop, &window, proxy.clone());
+        let screen = open_screen(&window, event_loop, options, proxy)?;
+        egui.set_max_texture_side(screen.gpu().largest_side() as usize);
+        window.set_visible(true);
+        Ok(Self { screen, egui, window, is_occluded: false, theme: None, title })
+    }
+
+    /// Makes everything on the device anew.
+    pub(super) fn recover(
+        &mut self,
+        event_loop: &ActiveEventLoop,
+        options: &WindowOptions,
+        proxy: &EventLoopProxy<Wake>,
+    ) -> Result<(), WindowError> {
+        self.screen = open_screen(&self.window, event_loop, options, proxy)?;
+        // The panels' textures are gone with the device: a new context sends them again.
+        let context = egui::Context::default();
+        style::install(&context);
+        let scale = self.window.scale_factor() as f32;
+        let side = Some(self.screen.gpu().largest_side() as usize);
+        let access = self.egui.accesskit.take();
+        self.egui = egui_winit::State::new(context, egui::ViewportId::ROOT, &*self.window, Some(scale), None, side);
+        self.egui.accesskit = access;
+        self.theme = None;
+        Ok(())
+    }
+
+    pub(super) fn is_lost(&self) -> bool {
+        self.screen.is_lost()
+    }
+
+    /// Whether drawing can be seen at all.
+    pub(super) fn is_visible(&self) -> bool {
+        let size = self.window.inner_size();
+        !self.is_occluded && size.width > 0 && size.height > 0
+    }
+
+    /// Of the monitor that the window is on (millihertz).
+    pub(super) fn refresh_rate(&self) -> Option<u32> {
+        self.window.current_monitor()?.refresh_rate_millihertz()
+    }
+
+    pub(super) fn request_redraw(&self) {
+        self.window.request_redraw();
+    }
+
+    pub(super) fn toggle_fullscreen(&self) {
+        let fullscreen = self.window.fullscreen().is_none().then_some(Fullscreen::Borderless(None));
+        self.window.set_fullscreen(fullscreen);
+    }
+
+    /// Takes an event; true where it asks for a frame.
+    pub(super) fn on_event(&mut self, event: &WindowEvent) -> bool {
+        let response = self.egui.on_window_event(&self.window, event);
+        match event {
+            WindowEvent::Resized(size) => {
+                self.screen.resize(size.width, size.height);
+                true
+            }
+            WindowEvent::Occluded(is_occluded) => {
+                self.is_occluded = *is_occluded;
+                true
+            }
+            WindowEvent::RedrawRequested => false,
+            _ => response.repaint,
+        }
+    }
+
+    /// Takes a screen reader's wish.
+    pub(super) fn on_access(&mut self, event: accesskit_winit::WindowEvent) {
+        match event {
+            accesskit_winit::WindowEvent::InitialTreeRequested => self.egui.egui_ctx().enable_accesskit(),
+            accesskit_winit::WindowEvent::ActionRequested(request) => self.egui.on_accesskit_action_request(request),
+            accesskit_winit::WindowEvent::AccessibilityDeactivated => self.egui.egui_ctx().disable_accesskit(),
+        }
+    }
+
+    /// Shows the panels, redraws the picture where it changed, presents both.
+    pub(super) fn draw(
+        &mut self,
+        event_loop: &ActiveEventLoop,
+        session: &mut Session,
+        panels: &mut Panels,
+        real_time_factor: Option<f64>,
+    ) -> Drawn {
+        let context = self.egui.egui_ctx().clone();
+        let theme = session.scene.view.theme;
+        if self.theme != Some(theme) {
+            style::set_theme(&context, theme);
+            self.theme = Some(theme);
+        }
+        let title = title(session);
+        if title != self.title {
+            self.window.set_title(&title);
+            self.title = title;
+        }
+        let fullscreen = self.window.fullscreen().is_some();
+        let mut input = self.egui.take_egui_input(&self.window);
+        let has_focus = context.memory(|memory| memory.focused().is_some());
+        let mut commands = keys::take_commands(&mut input, has_focus);
+        let mut picture = egui::Rect::NOTHING;
+        let look = session.look(real_time_factor, fullscreen);
+        let output = context.run_ui(input, |ui| {
+            let shown = panels.ui(ui, &look);
+            commands.extend(shown.commands);
+            picture = shown.picture;
+        });
+        self.egui.handle_platform_output_with_event_loop(&self.window, event_loop, output.platform_output);
+        let repaint_after = output
+            .viewport_output
+            .get(&egui::ViewportId::ROOT)
+            .map(|viewport| viewport.repaint_delay)
+            .filter(|delay| *delay < LONG);
+
+        let corner = self.draw_picture(session, picture, output.pixels_per_point);
+        let painted = Painted {
+            primitives: context.tessellate(output.shapes, output.pixels_per_point),
+            textures: output.textures_delta,
+            pixels_per_point: output.pixels_per_point,
+            background: context.global_style().visuals.panel_fill,
+        };
+        let is_done = self.screen.present(&self.window, painted, corner);
+        Drawn { commands, repaint_after: if is_done { repaint_after } else { Some(Duration::ZERO) } }
+    }
+
+    /// Redraws the picture where something in it changed. Gives its corner in the window (pixels).
+    fn draw_picture(&mut self, session: &mut Session, picture: egui::Rect, pixels_per_point: f32) -> (u32, u32) {
+        let (width, height) = self.screen.size();
+        let pixel = |points: f32, most: u32| ((points * pixels_per_point).round().max(0.0) as u32).min(most);
+        let corner = (pixel(picture.min.x, width), pixel(picture.min.y, height));
+        let far = (pixel(picture.max.x, width), pixel(picture.max.y, height));
+        let size = (far.0.saturating_sub(corner.0), far.1.saturating_sub(corner.1));
+        if size.0 == 0 || size.1 == 0 {
+            return corner;
+        }
+        let is_new = self.screen.resize_picture(size);
+        if is_new || session.picture_changed {
+            session.picture_size = Pixels::new(size.0 as f32, size.1 as f32);
+            session.picture_changed = false;
+            let aspect = session.picture_size.x / session.picture_size.y;
+            let frame = objects::build_frame(&session.sim, &session.scene.view, &session.cameras, aspect);
+            self.screen.draw_picture(&frame, pixels_per_point);
+        }
+        corner
+    }
+}
+
+fn open_screen(
+    window: &Arc<Window>,
+    event_loop: &ActiveEventLoop,
+    options: &WindowOptions,
+    proxy: &EventLoopProxy<Wake>,
+) -> Result<Screen, WindowError> {
+    let proxy = proxy.clone();
+    let on_lost = move || {
+        // The loop may have ended: then there is nothing to recover.
+        let _ = proxy.send_event(Wake::DeviceLost);
+    };
+    Screen::new(window, event_loop.owned_display_handle(), options.adapter.as_deref(), on_lost)
+}
+
+fn title(session: &Session) -> String {
+    let title = session.scene.file.title.trim();
+    if title.is_empty() { "Dzhanibekov".to_owned() } else { format!("{title} — Dzhanibekov") }
+}

@@ -1,0 +1,161 @@
+//! Everything that lives on the graphics device: made anew as a whole when the device is lost.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use winit::event_loop::OwnedDisplayHandle;
+use winit::window::Window;
+
+use super::WindowError;
+use super::compose::Compose;
+use super::surface::{Acquired, Surface};
+use crate::frame::Frame;
+use crate::render::{Gpu, Renderer};
+
+/// The device, the window's surface and what is drawn with.
+pub(super) struct Screen {
+    // Dropped in this order: what lives on the device before the device, the surface before its instance.
+    surface: Surface,
+    compose: Compose,
+    panels: egui_wgpu::Renderer,
+    renderer: Renderer,
+    gpu: Gpu,
+    instance: wgpu::Instance,
+    is_lost: Arc<AtomicBool>,
+}
+
+/// What the panels came to, ready for drawing.
+pub(super) struct Painted {
+    /// Triangles.
+    pub(super) primitives: Vec<egui::ClippedPrimitive>,
+    /// Textures made and dropped.
+    pub(super) textures: egui::TexturesDelta,
+    /// Pixels a point.
+    pub(super) pixels_per_point: f32,
+    /// Behind everything.
+    pub(super) background: egui::Color32,
+}
+
+impl Screen {
+    /// Finds an adapter for the window and opens a device on it.
+    pub(super) fn new(
+        window: &Arc<Window>,
+        display: OwnedDisplayHandle,
+        adapter: Option<&str>,
+        on_lost: impl Fn() + Send + 'static,
+    ) -> Result<Self, WindowError> {
+        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+        descriptor.display = Some(Box::new(display));
+        let instance = wgpu::Instance::new(descriptor);
+        let surface =
+            instance.create_surface(Arc::clone(window)).map_err(|error| WindowError::Display(error.to_string()))?;
+        let gpu = Gpu::for_surface(&instance, &surface, adapter)?;
+        let is_lost = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&is_lost);
+        gpu.device.set_device_lost_callback(move |reason, _| {
+            // Dropping the device on purpose comes here too.
+            if reason != wgpu::DeviceLostReason::Destroyed {
+                flag.store(true, Ordering::Relaxed);
+                on_lost();
+            }
+        });
+        let surface = Surface::new(surface, &gpu, window)?;
+        let compose = Compose::new(&gpu, surface.format());
+        let panels = egui_wgpu::Renderer::new(&gpu.device, surface.format(), egui_wgpu::RendererOptions::default());
+        let renderer = Renderer::new(&gpu);
+        Ok(Self { surface, compose, panels, renderer, gpu, instance, is_lost })
+    }
+
+    /// Whether the device is gone and everything on it.
+    pub(super) fn is_lost(&self) -> bool {
+        self.is_lost.load(Ordering::Relaxed)
+    }
+
+    /// The device.
+    pub(super) fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// The window's size in pixels.
+    pub(super) fn size(&self) -> (u32, u32) {
+        self.surface.size()
+    }
+
+    /// Follows the window's size.
+    pub(super) fn resize(&mut self, width: u32, height: u32) {
+        self.surface.resize(&self.gpu, width, height);
+    }
+
+    /// Gives the picture its size; true where it must be drawn anew.
+    pub(super) fn resize_picture(&mut self, size: (u32, u32)) -> bool {
+        self.compose.resize(&self.gpu, size)
+    }
+
+    /// Draws the picture, with this many pixels a point.
+    pub(super) fn draw_picture(&mut self, frame: &Frame, point: f32) {
+        if let Some((target, size)) = self.compose.target() {
+            self.renderer.render(&self.gpu, frame, target, [size.0, size.1], point);
+        }
+    }
+
+    /// Draws the picture at its place, the panels on top, and presents. False where it should be tried again soon.
+    pub(super) fn present(&mut self, window: &Arc<Window>, mut painted: Painted, picture_corner: (u32, u32)) -> bool {
+        let Gpu { device, queue, .. } = &self.gpu;
+        // Also where no frame is had: the next pass only tells what changed since.
+        for (id, deltas) in painted.textures.set.drain() {
+            for delta in deltas {
+                self.panels.update_texture(device, queue, id, &delta);
+            }
+        }
+        let is_done = match self.surface.acquire(&self.instance, &self.gpu, window) {
+            Acquired::Frame { texture, is_suboptimal } => {
+                self.draw(&texture, &painted, picture_corner);
+                window.pre_present_notify();
+                self.gpu.queue.present(texture);
+                if is_suboptimal {
+                    self.surface.configure(&self.gpu);
+                }
+                true
+            }
+            Acquired::Skip => true,
+            Acquired::Again => false,
+        };
+        for id in painted.textures.free.drain() {
+            self.panels.free_texture(&id);
+        }
+        is_done
+    }
+
+    fn draw(&mut self, frame: &wgpu::SurfaceTexture, painted: &Painted, picture_corner: (u32, u32)) {
+        let Gpu { device, queue, .. } = &self.gpu;
+        let size = self.surface.size();
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("window") });
+        let screen = egui_wgpu::ScreenDescriptor {
+            size_in_pixels: [size.0, size.1],
+            pixels_per_point: painted.pixels_per_point,
+        };
+        let uploads = self.panels.update_buffers(device, queue, &mut encoder, &painted.primitives, &screen);
+        let view = frame.texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let [r, g, b, _] = painted.background.to_normalized_gamma_f32();
+        let background = wgpu::Color { r: r.into(), g: g.into(), b: b.into(), a: 1.0 };
+        let mut pass = encoder
+            .begin_render_pass(&wgpu::RenderPassDescriptor {
+                label: Some("window"),
+                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                    view: &view,
+                    depth_slice: None,
+                    resolve_target: None,
+                    ops: wgpu::Operations { load: wgpu::LoadOp::Clear(background), store: wgpu::StoreOp::Store },
+                })],
+                depth_stencil_attachment: None,
+                timestamp_writes: None,
+                occlusion_query_set: None,
+                multiview_mask: None,
+            })
+            .forget_lifetime();
+        self.compose.draw(&mut pass, picture_corner, size);
+        self.panels.render(&mut pass, &painted.primitives, &screen);
+        drop(pass);
+        queue.submit(uploads.into_iter().chain([encoder.finish()]));
+    }
+}

@@ -1,0 +1,55 @@
+//! Whether a window can be opened at all, and one sentence about it where it cannot.
+
+use crate::render::GpuError;
+
+/// Why there is no window.
+#[derive(Debug, thiserror::Error)]
+pub enum WindowError {
+    /// Nothing to show a window on.
+    #[error(
+        "there is no display to open a window on (neither WAYLAND_DISPLAY nor DISPLAY is set); \
+         `dzhanibekov shot` and `dzhanibekov record` draw with no display"
+    )]
+    NoDisplay,
+    /// X11 keyboards need a library that is loaded late.
+    #[error(
+        "libxkbcommon-x11 is missing, which a window on X11 needs: \
+         install it, on Debian or Ubuntu with: apt-get install libxkbcommon-x11-0"
+    )]
+    NoKeyboardLibrary,
+    /// The display refused.
+    #[error(
+        "the window could not be opened: {0}; on Debian or Ubuntu a window needs: \
+         apt-get install libx11-6 libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0"
+    )]
+    Display(String),
+    /// Nothing to draw with.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// The adapter cannot draw into this window.
+    #[error("the adapter {0} cannot draw into this window: choose another one with --adapter")]
+    Surface(String),
+}
+
+/// Looks for what is known to be missing before the window system would trip over it.
+#[cfg(all(unix, not(target_vendor = "apple")))]
+pub(super) fn check_display() -> Result<(), WindowError> {
+    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    if is_set("WAYLAND_DISPLAY") || is_set("WAYLAND_SOCKET") {
+        return Ok(());
+    }
+    if !is_set("DISPLAY") {
+        return Err(WindowError::NoDisplay);
+    }
+    // winit would panic where this library is missing.
+    if xkbcommon_dl::x11::xkbcommon_x11_option().is_none() {
+        return Err(WindowError::NoKeyboardLibrary);
+    }
+    Ok(())
+}
+
+/// Looks for what is known to be missing before the window system would trip over it.
+#[cfg(not(all(unix, not(target_vendor = "apple"))))]
+pub(super) fn check_display() -> Result<(), WindowError> {
+    Ok(())
+}

@@ -1,0 +1,103 @@
+//! The window's surface: what frames are drawn to and presented by.
+
+use std::sync::Arc;
+
+use winit::window::Window;
+
+use super::WindowError;
+use crate::render::Gpu;
+
+/// The window's surface with its configuration.
+#[derive(Debug)]
+pub(super) struct Surface {
+    surface: wgpu::Surface<'static>,
+    config: wgpu::SurfaceConfiguration,
+}
+
+/// What came of asking for a frame.
+#[derive(Debug)]
+pub(super) enum Acquired {
+    /// Draw to this and present it.
+    Frame {
+        /// The frame.
+        texture: wgpu::SurfaceTexture,
+        /// Configure anew after presenting.
+        is_suboptimal: bool,
+    },
+    /// Nothing to draw to: try again at the next occasion.
+    Skip,
+    /// Nothing yet, but what was wrong has been mended: try again at once.
+    Again,
+}
+
+impl Surface {
+    /// Fits a surface to its window.
+    pub(super) fn new(surface: wgpu::Surface<'static>, gpu: &Gpu, window: &Window) -> Result<Self, WindowError> {
+        let size = window.inner_size();
+        let refused = || WindowError::Surface(gpu.description().name);
+        let mut config =
+            surface.get_default_config(&gpu.adapter, size.width.max(1), size.height.max(1)).ok_or_else(refused)?;
+        let formats = surface.get_capabilities(&gpu.adapter).formats;
+        // The panels blend in encoded values: a format that encodes by itself would blend them wrongly.
+        let plain = [wgpu::TextureFormat::Bgra8Unorm, wgpu::TextureFormat::Rgba8Unorm];
+        if let Some(format) = plain.into_iter().find(|format| formats.contains(format)) {
+            config.format = format;
+        }
+        config.present_mode = wgpu::PresentMode::AutoVsync;
+        config.desired_maximum_frame_latency = 1;
+        surface.configure(&gpu.device, &config);
+        Ok(Self { surface, config })
+    }
+
+    /// Format of the frames.
+    pub(super) fn format(&self) -> wgpu::TextureFormat {
+        self.config.format
+    }
+
+    /// Width and height in pixels.
+    pub(super) fn size(&self) -> (u32, u32) {
+        (self.config.width, self.config.height)
+    }
+
+    /// Follows the window's size; a size of 0 (minimised) is left alone.
+    pub(super) fn resize(&mut self, gpu: &Gpu, width: u32, height: u32) {
+        let most = gpu.largest_side();
+        let (width, height) = (width.min(most), height.min(most));
+        if width > 0 && height > 0 && (width, height) != self.size() {
+            self.config.width = width;
+            self.config.height = height;
+            self.configure(gpu);
+        }
+    }
+
+    /// Configures anew.
+    pub(super) fn configure(&self, gpu: &Gpu) {
+        self.surface.configure(&gpu.device, &self.config);
+    }
+
+    /// The next frame.
+    pub(super) fn acquire(&mut self, instance: &wgpu::Instance, gpu: &Gpu, window: &Arc<Window>) -> Acquired {
+        use wgpu::CurrentSurfaceTexture as Current;
+        match self.surface.get_current_texture() {
+            Current::Success(texture) => Acquired::Frame { texture, is_suboptimal: false },
+            // To be presented all the same: dropped, it would come back for ever.
+            Current::Suboptimal(texture) => Acquired::Frame { texture, is_suboptimal: true },
+            Current::Outdated => {
+                self.configure(gpu);
+                Acquired::Again
+            }
+            Current::Lost => {
+                if let Ok(surface) = instance.create_surface(Arc::clone(window)) {
+                    self.surface = surface;
+                    self.configure(gpu);
+                }
+                Acquired::Again
+            }
+            Current::Timeout | Current::Occluded | Current::Validation => {
+                // Uploads that wait for a submission would pile up.
+                gpu.queue.submit([]);
+                Acquired::Skip
+            }
+        }
+    }
+}

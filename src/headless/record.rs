@@ -1,0 +1,174 @@
+//! A sequence of pictures: frames are exact functions of time, never of how fast the machine was.
+
+use std::num::NonZeroU32;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{SyncSender, sync_channel};
+
+use super::shot::{HeadlessError, ShotOptions};
+use crate::frame::Frame;
+use crate::objects::{Cameras, build_frame};
+use crate::render::{Canvas, Gpu, Pixels, Renderer, point_size};
+use crate::scene::Scene;
+use crate::sim::Simulation;
+
+/// Pictures drawn and not yet taken: one being encoded, one waiting. More would only cost memory.
+const WAITING: usize = 1;
+
+/// Frames a second, a ratio of whole numbers so that no rounding of times piles up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FrameRate {
+    /// Frames.
+    pub frames: NonZeroU32,
+    /// In so many seconds.
+    pub seconds: NonZeroU32,
+}
+
+impl FrameRate {
+    /// Time (s) from the first frame to frame `index`, one rounding.
+    #[must_use]
+    pub fn time(self, index: u64) -> f64 {
+        (index as f64 * f64::from(self.seconds.get())) / f64::from(self.frames.get())
+    }
+
+    /// Frames a second.
+    #[must_use]
+    pub fn per_second(self) -> f64 {
+        f64::from(self.frames.get()) / f64::from(self.seconds.get())
+    }
+}
+
+/// Which frames of which motion.
+#[derive(Clone, Debug)]
+pub struct Recording {
+    /// Size, adapter, transparency.
+    pub shot: ShotOptions,
+    /// Simulated time (s) of frame 0.
+    pub start: f64,
+    /// Frames a second.
+    pub rate: FrameRate,
+    /// The frames wanted; part of a longer recording where it does not begin at 0.
+    pub frames: Range<u64>,
+}
+
+impl Recording {
+    /// Simulated time (s) of a frame.
+    #[must_use]
+    pub fn time(&self, index: u64) -> f64 {
+        self.start + self.rate.time(index)
+    }
+}
+
+/// Draws the wanted frames in order and hands each to `take` on a thread of its own, so that drawing, read-back and
+/// encoding overlap; memory does not grow with the number of frames. `skip` says which frames are not needed.
+///
+/// Stops early, with `false`, once `stop` is set: the frames handed over until then are whole.
+///
+/// # Errors
+/// What the device reports, or the method, or what `take` returns.
+pub fn record<E: From<HeadlessError> + Send>(
+    scene: &Scene,
+    recording: &Recording,
+    stop: &AtomicBool,
+    mut skip: impl FnMut(u64) -> bool,
+    mut take: impl FnMut(u64, Pixels) -> Result<(), E> + Send,
+) -> Result<bool, E> {
+    let mut artist = Artist::new(scene, recording)?;
+    std::thread::scope(|scope| {
+        let (sender, receiver) = sync_channel::<(u64, Pixels)>(WAITING);
+        let taker = scope.spawn(move || {
+            for (index, pixels) in receiver {
+                take(index, pixels)?;
+            }
+            Ok::<(), E>(())
+        });
+        let drawn = draw_all(&mut artist, recording, stop, &mut skip, &sender);
+        // Ends the taker's loop once it has taken what waits.
+        drop(sender);
+        match taker.join() {
+            Ok(taken) => taken?,
+            Err(panic) => std::panic::resume_unwind(panic),
+        }
+        Ok(drawn?)
+    })
+}
+
+/// Draws frame after frame, each read back while the next is prepared.
+fn draw_all(
+    artist: &mut Artist,
+    recording: &Recording,
+    stop: &AtomicBool,
+    skip: &mut impl FnMut(u64) -> bool,
+    sender: &SyncSender<(u64, Pixels)>,
+) -> Result<bool, HeadlessError> {
+    let mut under_way: Option<(u64, usize, wgpu::SubmissionIndex)> = None;
+    let mut next_canvas = 0;
+    for index in recording.frames.clone() {
+        if stop.load(Ordering::Relaxed) {
+            return Ok(false);
+        }
+        if skip(index) {
+            continue;
+        }
+        let reading = artist.draw(next_canvas, recording.time(index))?;
+        let before = under_way.replace((index, next_canvas, reading));
+        next_canvas = 1 - next_canvas;
+        if let Some((index, canvas, reading)) = before
+            && sender.send((index, artist.finish(canvas, reading)?)).is_err()
+        {
+            // The taker failed; its error is reported.
+            return Ok(false);
+        }
+    }
+    if let Some((index, canvas, reading)) = under_way
+        && sender.send((index, artist.finish(canvas, reading)?)).is_err()
+    {
+        return Ok(false);
+    }
+    Ok(true)
+}
+
+/// The simulation with what draws it, on two canvases in turn.
+struct Artist {
+    simulation: Simulation,
+    cameras: Cameras,
+    transparent: bool,
+    gpu: Gpu,
+    renderer: Renderer,
+    canvases: [Canvas; 2],
+}
+
+impl Artist {
+    fn new(scene: &Scene, recording: &Recording) -> Result<Self, HeadlessError> {
+        let gpu = recording.shot.open()?;
+        let renderer = Renderer::new(&gpu);
+        let canvases = [(); 2].map(|()| Canvas::new(&gpu, recording.shot.size));
+        gpu.check()?;
+        Ok(Self {
+            simulation: Simulation::new(scene),
+            cameras: Cameras::new(&scene.view),
+            transparent: recording.shot.transparent,
+            gpu,
+            renderer,
+            canvases,
+        })
+    }
+
+    fn draw(&mut self, canvas: usize, time: f64) -> Result<wgpu::SubmissionIndex, HeadlessError> {
+        self.simulation.go_to(time);
+        if let Some(failure) = self.simulation.main().failure() {
+            return Err(HeadlessError::Method(failure.to_string()));
+        }
+        let canvas = &self.canvases[canvas];
+        let [width, height] = canvas.size();
+        let view = &self.simulation.scene().view;
+        let mut frame: Frame = build_frame(&self.simulation, view, &self.cameras, width as f32 / height as f32);
+        frame.transparent = self.transparent;
+        self.renderer.render(&self.gpu, &frame, canvas.view(), canvas.size(), point_size(canvas.size()));
+        Ok(canvas.begin_read(&self.gpu))
+    }
+
+    fn finish(&self, canvas: usize, reading: wgpu::SubmissionIndex) -> Result<Pixels, HeadlessError> {
+        Ok(self.canvases[canvas].finish_read(&self.gpu, reading)?)
+    }
+}

@@ -1,0 +1,55 @@
+//! The principal axes of momentum space, with their moments, and the poles where they pierce the sphere: steady spins.
+//! Stable and unstable ones differ in form.
+
+use glam::{Vec2, Vec3};
+
+use super::Context;
+use crate::frame::{Label, Line, Mark, Point, View};
+
+/// How far the axes stand out of the sphere.
+const REACH: f32 = 1.22;
+
+/// The parts of the axes outside the sphere.
+pub(super) fn axes(context: &Context<'_>, view: &mut View) {
+    let moments = context.simulation.body().principal_moments();
+    let (right, up, _) = view.camera.axes();
+    for (number, color) in context.palette.axes.into_iter().enumerate() {
+        let axis = Vec3::AXES[number];
+        for sign in [1.0, -1.0] {
+            view.lines.push(Line::new([axis * sign, axis * sign * REACH], 2.6, color).through(0.25));
+        }
+        let index = ['₁', '₂', '₃'][number];
+        let text = format!("I{index} = {}", significant(moments[number]));
+        let toward = Vec2::new(2.0 * axis.dot(right), axis.dot(up));
+        view.labels.push(Label { anchor: axis * REACH, toward, gap: 6.0, text, size: 19.0, color, priority: 5 });
+    }
+}
+
+/// The steady spins on the sphere.
+pub(super) fn poles(context: &Context<'_>, view: &mut View) {
+    if context.unit_momentum().is_none() {
+        return;
+    }
+    let moments = context.simulation.body().principal_moments();
+    // Where two moments are equal their axes are no better than those between; none is told apart by stability.
+    let distinct = moments.x < moments.y && moments.y < moments.z;
+    for (number, color) in context.palette.axes.into_iter().enumerate() {
+        let mark = if number == 1 && distinct { Mark::Cross } else { Mark::Disc };
+        let size = if mark == Mark::Cross { 19.0 } else { 12.0 };
+        for sign in [1.0, -1.0] {
+            let position = Vec3::AXES[number] * sign;
+            view.points.push(Point { position, size, mark, color, rim: context.palette.background, hidden: 0.35 });
+        }
+    }
+}
+
+/// Three significant digits, without needless zeros.
+fn significant(value: f64) -> String {
+    let exponent = value.log10().floor();
+    if !(-4.0..5.0).contains(&exponent) {
+        return format!("{value:.2e}");
+    }
+    let places = (2.0 - exponent).max(0.0) as usize;
+    let text = format!("{value:.places$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}

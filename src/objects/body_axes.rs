@@ -1,0 +1,72 @@
+//! The principal axes as they turn with the body, and the way of one of them over a faint sphere.
+
+use glam::{Mat3, Vec2, Vec3};
+
+use super::Context;
+use crate::frame::{Label, Line, LinePoint, Quadric, QuadricPair, View, single, single_matrix};
+use crate::physics::{Motion, State};
+
+/// Half length of the drawn axes, and radius of the sphere.
+const REACH: f32 = 1.12;
+const TRAIL_POINTS: u32 = 600;
+
+/// The three axes, named at their positive ends.
+pub(super) fn axes(context: &Context<'_>, view: &mut View) {
+    let world_from_principal = world_from_principal(context, context.simulation.state());
+    let (right, up, _) = view.camera.axes();
+    for (number, color) in context.palette.axes.into_iter().enumerate() {
+        let end = world_from_principal.col(number) * REACH;
+        view.lines.push(Line::new([-end, end], 2.6, color).through(0.0));
+        let toward = Vec2::new(end.dot(right), end.dot(up));
+        let text = ["1", "2", "3"][number].to_owned();
+        view.labels.push(Label { anchor: end, toward, gap: 5.0, text, size: 22.0, color, priority: 4 });
+    }
+}
+
+/// The way of the axis that the body was started about, over the last two flips.
+pub(super) fn trail(context: &Context<'_>, view: &mut View) {
+    let simulation = context.simulation;
+    if context.unit_momentum().is_none() {
+        return;
+    }
+    let start = context.body_momentum(simulation.scene().start.body_momentum);
+    let number = start.abs().max_position();
+    let color = context.palette.axes[number];
+    let first = Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, Vec3::splat(REACH), context.palette.ink.alpha(0.035));
+    view.quadrics.push(QuadricPair { first, second: None, hollow: true });
+    let motion = Motion::new(simulation.body(), simulation.state());
+    let points = (0..=TRAIL_POINTS).map(|n| {
+        let part = f64::from(n) / f64::from(TRAIL_POINTS);
+        let state = motion.state(-2.0 * context.period() * part);
+        let position = world_from_principal(context, &state).col(number) * REACH;
+        LinePoint { position, color: color.fade(1.0 - part as f32) }
+    });
+    let points: Vec<LinePoint> = points.filter(|point| point.position.is_finite()).collect();
+    view.lines.push(Line { points, ..Line::new([], 2.6, color).through(0.3) });
+}
+
+fn world_from_principal(context: &Context<'_>, state: &State) -> Mat3 {
+    context.world_from_body(state) * single_matrix(context.simulation.body().body_from_principal())
+}
+
+/// The momentum sphere carried along by the body: it rolls along its polhode so that M's tip stays at the fixed L.
+pub(super) fn carried_sphere(context: &Context<'_>, view: &mut View) {
+    if context.unit_momentum().is_none() {
+        return;
+    }
+    let axes = world_from_principal(context, context.simulation.state());
+    let semi_axes = single(super::surfaces::semi_axes(context));
+    let first = Quadric::ellipsoid(Vec3::ZERO, axes, Vec3::ONE, context.palette.sphere);
+    let second = Quadric::ellipsoid(Vec3::ZERO, axes, semi_axes, context.palette.ellipsoid);
+    view.quadrics.push(QuadricPair { first, second: Some(second), hollow: true });
+    let momentum_space = View::new(view.area, view.camera);
+    let mut carried = momentum_space;
+    super::polhode::draw(context, &mut carried);
+    super::tip::tail(context, &mut carried);
+    for mut line in carried.lines {
+        for point in &mut line.points {
+            point.position = axes * point.position;
+        }
+        view.lines.push(line);
+    }
+}

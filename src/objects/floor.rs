@@ -1,0 +1,147 @@
+//! Under the body: its soft shadow, and the invariable plane with what Poinsot's construction draws on it.
+//!
+//! The plane of the contact point is ω·L/ℓ = 2K/ℓ. The inertia ellipsoid touches it at ω above and, being symmetric about
+//! its centre, its mirror image at −ω below. The one below is drawn, so that the ellipsoid rolls on a floor.
+
+use std::f32::consts::TAU;
+
+use glam::{Mat2, Mat3, Vec2, Vec3};
+
+use super::{Context, body};
+use crate::frame::{Color, Dash, Label, Line, LinePoint, Mark, Mesh, Point, Quadric, QuadricPair, Solid, Vertex, View};
+use crate::frame::{single, single_matrix};
+use crate::physics::{Motion, poinsot};
+
+/// Radius of the drawn part of the plane.
+const PLANE_RADIUS: f32 = 1.25;
+/// Flips before and after now that the herpolhode is drawn for.
+const FLIPS: f64 = 3.0;
+const HERPOLHODE_POINTS: u32 = 1600;
+/// Closest points of a drawn path; nearer ones are left out.
+const SPACING: f32 = 0.004;
+
+/// The body's soft shadow: the spread of the body's parts over the floor, blurred.
+pub(super) fn shadow(context: &Context<'_>, view: &mut View) {
+    let floor = Vec3::new(0.0, 0.0, -context.plane_height());
+    let (mut weight, mut mean, mut spread) = (0.0, Vec3::ZERO, Mat3::ZERO);
+    for (centre, map, ..) in body::placed_parts(context, context.simulation.state()) {
+        let volume = map.determinant().abs().max(1e-9);
+        weight += volume;
+        mean += centre * volume;
+        // A uniform cube of half edge 1 has variance 1/3 each way.
+        let own = map * map.transpose() * (1.0 / 3.0);
+        let apart = Mat3::from_cols(centre * centre.x, centre * centre.y, centre * centre.z);
+        spread += (own + apart) * volume;
+    }
+    if !(weight > 0.0 && spread.is_finite()) {
+        return;
+    }
+    let middle = mean / weight;
+    let cov = spread * (1.0 / weight);
+    let blur = 0.02;
+    let (a, b, d) = (cov.x_axis.x + blur, cov.x_axis.y, cov.y_axis.y + blur);
+    // The square root of a symmetric 2×2 matrix A: (A + √det 1)/√(tr + 2√det).
+    let root = (a * d - b * b).max(1e-12).sqrt();
+    let scale = (a + d + 2.0 * root).sqrt().recip();
+    let map = Mat2::from_cols_array(&[a + root, b, b, d + root]) * scale * 2.4;
+    let shade = context.palette.shadow;
+    let centre = Vec3::new(middle.x, middle.y, floor.z + 0.004);
+    disc(view, centre, map, |r| shade.fade((1.0 - r * r).powi(2)));
+}
+
+/// The invariable plane itself, with its name.
+pub(super) fn plane(context: &Context<'_>, view: &mut View) {
+    let centre = Vec3::new(0.0, 0.0, -context.plane_height());
+    let ink = context.palette.ink;
+    disc(view, centre, Mat2::from_diagonal(Vec2::splat(PLANE_RADIUS)), |_| ink.alpha(0.05));
+    view.lines.push(Line::new(circle(centre, PLANE_RADIUS), 1.4, ink.alpha(0.5)));
+    let (right, _, forward) = view.camera.axes();
+    let near = Vec2::new(right.x - forward.x, right.y - forward.y).normalize_or(Vec2::X) * PLANE_RADIUS;
+    let (anchor, toward) = (centre + near.extend(0.0), Vec2::new(0.4, -1.0));
+    let text = "invariable plane".to_owned();
+    view.labels.push(Label { anchor, toward, gap: 5.0, text, size: 19.0, color: ink.alpha(0.8), priority: 1 });
+}
+
+/// Poinsot's ellipsoid ½ ω·Iω = K, semi-axes √(2K/Iᵢ): it rolls on the plane without slipping.
+pub(super) fn rolling_ellipsoid(context: &Context<'_>, view: &mut View) {
+    let (simulation, body) = (context.simulation, context.simulation.body());
+    let state = simulation.state();
+    let semi_axes = single(poinsot::inertia_semi_axes(body, state.energy(body)) * context.per_radian());
+    let world_from_body = context.world_from_body(state);
+    let axes = world_from_body * single_matrix(body.body_from_principal());
+    if !(semi_axes.min_element() > 0.0 && semi_axes.is_finite() && axes.is_finite()) {
+        return;
+    }
+    let first = Quadric::ellipsoid(Vec3::ZERO, axes, semi_axes, context.palette.ellipsoid);
+    view.quadrics.push(QuadricPair { first, second: None, hollow: true });
+    // The polhode as it lies on the ellipsoid: the points that have been or will be in contact.
+    let color = context.palette.polhode;
+    let curve = poinsot::angular_velocity_polhode(body, state.body_momentum, super::polhode::POINTS);
+    let points = curve.into_iter().map(|omega| world_from_body * single(omega * -context.per_radian()));
+    view.lines.push(Line::new(points, 3.0, color).through(0.3));
+    let position = -context.world_angular_velocity(state.world_angular_velocity(body));
+    let rim = context.palette.background;
+    let color = context.palette.omega;
+    view.points.push(Point { position, size: 15.0, mark: Mark::Disc, color, rim, hidden: 0.6 });
+}
+
+/// The path of the contact point on the plane, before and after now.
+pub(super) fn herpolhode(context: &Context<'_>, view: &mut View) {
+    let simulation = context.simulation;
+    let body = simulation.body();
+    if context.unit_momentum().is_none() {
+        return;
+    }
+    let motion = Motion::new(body, simulation.state());
+    let color = context.palette.omega;
+    let mut points: Vec<LinePoint> = vec![];
+    for n in 0..=HERPOLHODE_POINTS {
+        let part = 2.0 * f64::from(n) / f64::from(HERPOLHODE_POINTS) - 1.0;
+        let omega = motion.state(part * FLIPS * context.period()).world_angular_velocity(body);
+        let position = -context.world_angular_velocity(omega);
+        let strength = if part > 0.0 { 0.35 } else { 1.0 } * (1.0 - part.abs() as f32);
+        if points.last().is_none_or(|last| last.position.distance(position) > SPACING) && position.is_finite() {
+            points.push(LinePoint { position, color: color.fade(strength) });
+        }
+    }
+    view.lines.push(Line { points, ..Line::new([], 2.2, color).through(0.4) });
+}
+
+/// The two circles that the herpolhode touches in turn.
+pub(super) fn annulus(context: &Context<'_>, view: &mut View) {
+    let state = context.simulation.state();
+    let (inner, outer) = poinsot::herpolhode_radii(context.simulation.body(), state.body_momentum);
+    let centre = Vec3::new(0.0, 0.0, -context.plane_height());
+    for radius in [inner, outer] {
+        let radius = (radius * context.per_radian()) as f32;
+        if radius > 1e-3 && radius < 20.0 {
+            let line = Line::new(circle(centre, radius), 1.6, context.palette.ink.alpha(0.7));
+            view.lines.push(line.dashed(Dash::Dashed(0.06)).through(0.3));
+        }
+    }
+}
+
+fn circle(centre: Vec3, radius: f32) -> impl Iterator<Item = Vec3> {
+    (0..=128).map(move |n| centre + (Vec2::from_angle(TAU * (n % 128) as f32 / 128.0) * radius).extend(0.0))
+}
+
+/// A level disc under a linear map, coloured by the distance from its middle (0 to 1).
+fn disc(view: &mut View, centre: Vec3, map: Mat2, color: impl Fn(f32) -> Color) {
+    const RINGS: u32 = 8;
+    const SPOKES: u32 = 36;
+    let mut mesh = Mesh::default();
+    for ring in 0..=RINGS {
+        let r = ring as f32 / RINGS as f32;
+        for spoke in 0..SPOKES {
+            let position = centre + (map * Vec2::from_angle(TAU * spoke as f32 / SPOKES as f32) * r).extend(0.0);
+            mesh.vertices.push(Vertex { position, normal: Vec3::ZERO, color: color(r) });
+        }
+    }
+    for ring in 0..RINGS {
+        for spoke in 0..SPOKES {
+            let (a, b) = (ring * SPOKES + spoke, ring * SPOKES + (spoke + 1) % SPOKES);
+            mesh.indices.extend([a, a + SPOKES, b + SPOKES, a, b + SPOKES, b]);
+        }
+    }
+    view.solids.push(Solid { mesh, opaque: false });
+}

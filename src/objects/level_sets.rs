@@ -1,0 +1,38 @@
+//! The energy over the whole momentum sphere: the paths of the other motions with the same |M|, faint.
+
+use glam::DVec3;
+
+use super::Context;
+use crate::frame::{Line, View};
+use crate::physics::{Body, poinsot};
+
+/// Paths round each stable pole.
+const PATHS: u32 = 3;
+const POINTS: usize = 72;
+
+pub(super) fn draw(context: &Context<'_>, view: &mut View) {
+    let body = context.simulation.body();
+    if context.unit_momentum().is_none() {
+        return;
+    }
+    let color = context.palette.ink.alpha(0.22);
+    for momentum in momenta(body) {
+        for sign in [1.0, -1.0] {
+            let curve = poinsot::polhode(body, body.body_from_principal() * (momentum * sign), POINTS);
+            let points = curve.into_iter().map(|m| context.principal(m));
+            view.lines.push(Line::new(points, 1.3, color).through(0.3));
+        }
+    }
+}
+
+/// A momentum of each path, in principal components: evenly in angle between the poles 1 and 3 and the separatrix.
+fn momenta(body: &Body) -> impl Iterator<Item = DVec3> {
+    let i = body.principal_moments();
+    // The separatrix's angle from axis 3: tan² = κ² = I₁(I₃−I₂)/(I₃(I₂−I₁)).
+    let slope = (i.x / i.z * (i.z - i.y)).sqrt().atan2((i.y - i.x).sqrt());
+    let quarter = std::f64::consts::FRAC_PI_2;
+    (1..=PATHS).flat_map(move |n| {
+        let part = f64::from(n) / f64::from(PATHS + 1);
+        [slope * part, quarter - (quarter - slope) * part].map(|angle| DVec3::new(angle.sin(), 0.0, angle.cos()))
+    })
+}

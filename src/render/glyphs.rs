@@ -1,0 +1,168 @@
+//! The fonts, and the atlas of their glyphs at the pixel sizes in use.
+
+use std::collections::HashMap;
+
+use ab_glyph::{Font, FontRef, GlyphId, ScaleFont};
+
+/// Width and height of the atlas in pixels.
+const SIDE: u32 = 1024;
+/// Free pixels round each glyph.
+const PADDING: u32 = 1;
+/// Size and drop of an index, in parts of the text's size.
+const INDEX_SIZE: f32 = 0.68;
+const INDEX_DROP: f32 = 0.16;
+
+/// A glyph drawn at one size: where it is in the atlas and beside the pen.
+#[derive(Clone, Copy)]
+struct Cell {
+    source: [u32; 2],
+    extent: [u32; 2],
+    bearing: [f32; 2],
+}
+
+/// A glyph of a laid out text, in pixels from the text's top left corner.
+#[derive(Clone, Copy)]
+pub(super) struct PlacedGlyph {
+    pub(super) low: [f32; 2],
+    pub(super) extent: [u32; 2],
+    pub(super) source: [u32; 2],
+}
+
+/// A text laid out on one line.
+pub(super) struct TextLine {
+    pub(super) glyphs: Vec<PlacedGlyph>,
+    pub(super) extent: [f32; 2],
+}
+
+/// Rasterises glyphs when they are first met and keeps them.
+pub(super) struct Glyphs {
+    fonts: Vec<FontRef<'static>>,
+    cells: HashMap<(usize, GlyphId, u32), Option<Cell>>,
+    /// Coverage, [`SIDE`]² bytes.
+    pixels: Vec<u8>,
+    /// The shelf being filled: left end, top, height.
+    shelf: [u32; 3],
+    changed: bool,
+    full: bool,
+}
+
+impl Glyphs {
+    pub(super) const SIDE: u32 = SIDE;
+
+    pub(super) fn new() -> Self {
+        let sources = [epaint_default_fonts::UBUNTU_LIGHT, epaint_default_fonts::HACK_REGULAR];
+        Self {
+            fonts: sources.iter().filter_map(|bytes| FontRef::try_from_slice(bytes).ok()).collect(),
+            cells: HashMap::new(),
+            pixels: vec![0; (SIDE * SIDE) as usize],
+            shelf: [0; 3],
+            changed: false,
+            full: false,
+        }
+    }
+
+    /// The atlas, if it changed since the last call.
+    pub(super) fn take_changed(&mut self) -> Option<&[u8]> {
+        std::mem::take(&mut self.changed).then_some(&self.pixels)
+    }
+
+    /// Empties an atlas that has run full, so that the sizes now in use find room.
+    pub(super) fn begin_frame(&mut self) {
+        if std::mem::take(&mut self.full) {
+            self.cells.clear();
+            self.pixels.fill(0);
+            self.shelf = [0; 3];
+        }
+    }
+
+    /// Lays a text out on one line, `size` pixels an em. Index digits
+    /// (₁) are digits set smaller and lower, whether the font has them or not.
+    pub(super) fn lay_out(&mut self, text: &str, size: f32) -> TextLine {
+        let size = size * self.fonts.first().and_then(height_per_em).unwrap_or(1.0);
+        let Some(first) = self.fonts.first() else { return TextLine { glyphs: vec![], extent: [0.0; 2] } };
+        let scaled = first.as_scaled(size);
+        let (ascent, height) = (scaled.ascent(), scaled.height());
+        let mut pen = 0.0;
+        let mut before = None;
+        let mut glyphs = vec![];
+        for character in text.chars() {
+            let (character, size, drop) = match character {
+                '₀'..='₉' => {
+                    let digit = char::from_digit(character as u32 - '₀' as u32, 10).unwrap_or(character);
+                    (digit, size * INDEX_SIZE, size * INDEX_DROP)
+                }
+                _ => (character, size, 0.0),
+            };
+            let Some(number) =
+                self.fonts.iter().position(|font| font.glyph_id(character).0 != 0).or(Some(0)).filter(|_| size > 0.5)
+            else {
+                continue;
+            };
+            let font = self.fonts[number].as_scaled(size);
+            let id = font.glyph_id(character);
+            if let Some((font_before, id_before)) = before
+                && font_before == number
+                && character != ' '
+            {
+                pen += font.kern(id_before, id);
+            }
+            let advance = font.h_advance(id);
+            if let Some(cell) = self.cell(number, id, size) {
+                glyphs.push(PlacedGlyph {
+                    low: [(pen + cell.bearing[0]).round(), (ascent + drop + cell.bearing[1]).round()],
+                    extent: cell.extent,
+                    source: cell.source,
+                });
+            }
+            pen += advance;
+            before = Some((number, id));
+        }
+        TextLine { glyphs, extent: [pen, height] }
+    }
+
+    fn cell(&mut self, number: usize, id: GlyphId, size: f32) -> Option<Cell> {
+        let key = (number, id, size.to_bits());
+        if let Some(cell) = self.cells.get(&key) {
+            return *cell;
+        }
+        let cell = self.rasterise(number, id, size);
+        self.cells.insert(key, cell);
+        cell
+    }
+
+    fn rasterise(&mut self, number: usize, id: GlyphId, size: f32) -> Option<Cell> {
+        let outline = self.fonts[number].outline_glyph(id.with_scale(size))?;
+        let bounds = outline.px_bounds();
+        let extent = [bounds.width() as u32, bounds.height() as u32];
+        let source = self.reserve(extent)?;
+        outline.draw(|x, y, coverage| {
+            let at = ((source[1] + y) * SIDE + source[0] + x) as usize;
+            if let Some(pixel) = self.pixels.get_mut(at) {
+                *pixel = (coverage.clamp(0.0, 1.0) * 255.0).round() as u8;
+            }
+        });
+        self.changed = true;
+        Some(Cell { source, extent, bearing: [bounds.min.x, bounds.min.y] })
+    }
+
+    /// Room for a glyph, on the open shelf or a new one.
+    fn reserve(&mut self, [width, height]: [u32; 2]) -> Option<[u32; 2]> {
+        let (wide, high) = (width + PADDING, height + PADDING);
+        if self.shelf[0] + wide > SIDE {
+            self.shelf = [0, self.shelf[1] + self.shelf[2], 0];
+        }
+        if wide > SIDE || self.shelf[1] + high > SIDE {
+            self.full = true;
+            return None;
+        }
+        let place = [self.shelf[0], self.shelf[1]];
+        self.shelf[0] += wide;
+        self.shelf[2] = self.shelf[2].max(high);
+        Some(place)
+    }
+}
+
+/// What the rasteriser counts as a font's height, in ems.
+fn height_per_em(font: &FontRef<'_>) -> Option<f32> {
+    font.units_per_em().map(|units| font.height_unscaled() / units)
+}

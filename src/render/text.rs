@@ -1,0 +1,151 @@
+//! Texts: glyphs of an atlas as quads, with a halo that keeps them readable over anything.
+
+use std::ops::Range;
+
+use bytemuck::{Pod, Zeroable};
+use glam::Vec2;
+
+use super::buffer::QuadBuffer;
+use super::glyphs::{Glyphs, TextLine};
+use super::labels;
+use super::pipeline::{PipelineMaker, Recipe};
+use super::targets::extent;
+use super::view::ViewUniform;
+use crate::frame::{Color, Frame};
+
+/// Radius of the halo (points).
+const HALO: f32 = 2.4;
+const HALO_OPACITY: f32 = 0.8;
+
+/// `Glyph` of shaders/text.wgsl.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct GlyphData {
+    place: [f32; 4],
+    source: [f32; 3],
+    color: [f32; 4],
+}
+
+/// Draws the labels of a frame.
+pub(super) struct Texts {
+    pipeline: wgpu::RenderPipeline,
+    group: wgpu::BindGroup,
+    atlas: wgpu::Texture,
+    glyphs: Glyphs,
+    instances: QuadBuffer,
+    views: Vec<Range<u32>>,
+}
+
+impl Texts {
+    pub(super) fn new(maker: &PipelineMaker<'_>) -> Self {
+        let device = maker.device;
+        let module = maker.module("text", include_str!("../../shaders/text.wgsl"));
+        let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
+            binding,
+            visibility: wgpu::ShaderStages::FRAGMENT,
+            ty,
+            count: None,
+        };
+        let texture = wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Float { filterable: true },
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        };
+        let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
+        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("glyph atlas"),
+            entries: &[entry(0, texture), entry(1, sampler)],
+        });
+        let atlas = device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("glyph atlas"),
+            size: extent([Glyphs::SIDE; 2]),
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: wgpu::TextureFormat::R8Unorm,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+            view_formats: &[],
+        });
+        let view = atlas.create_view(&wgpu::TextureViewDescriptor::default());
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor::default());
+        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("glyph atlas"),
+            layout: &layout,
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
+            ],
+        });
+        let pipeline = maker.pipeline(&Recipe {
+            label: "text",
+            module: &module,
+            vertex: "vertex",
+            buffer: Some(wgpu::VertexBufferLayout {
+                array_stride: size_of::<GlyphData>() as u64,
+                step_mode: wgpu::VertexStepMode::Vertex,
+                attributes: &wgpu::vertex_attr_array![0 => Float32x4, 1 => Float32x3, 2 => Float32x4],
+            }),
+            group: Some(&layout),
+            cull: None,
+            depth: wgpu::CompareFunction::Always,
+            writes_depth: false,
+        });
+        let instances = QuadBuffer::new("glyphs");
+        Self { pipeline, group, atlas, glyphs: Glyphs::new(), instances, views: vec![] }
+    }
+
+    pub(super) fn upload(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        frame: &Frame,
+        uniforms: &[ViewUniform],
+        picture: Vec2,
+        point: f32,
+    ) {
+        let mut instances = vec![];
+        self.views.clear();
+        self.glyphs.begin_frame();
+        let halo = frame.background.alpha(HALO_OPACITY);
+        for (view, uniform) in frame.views.iter().zip(uniforms) {
+            let start = instances.len() as u32;
+            let lines: Vec<TextLine> =
+                view.labels.iter().map(|label| self.glyphs.lay_out(&label.text, label.size * point)).collect();
+            let extents: Vec<Vec2> = lines.iter().map(|line| Vec2::from_array(line.extent)).collect();
+            let places = labels::place(view, uniform, &extents, view.area.extent * picture, point);
+            for (radius, ink) in [(HALO * point, false), (0.0, true)] {
+                for ((label, line), place) in view.labels.iter().zip(&lines).zip(&places) {
+                    if let Some(place) = place {
+                        let color = if ink { label.color } else { halo.fade(label.color.0[3]) };
+                        append(line, *place, radius, color, &mut instances);
+                    }
+                }
+            }
+            self.views.push(start..instances.len() as u32);
+        }
+        self.instances.write(device, queue, &instances);
+        if let Some(pixels) = self.glyphs.take_changed() {
+            let layout =
+                wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(Glyphs::SIDE), rows_per_image: None };
+            queue.write_texture(self.atlas.as_image_copy(), pixels, layout, extent([Glyphs::SIDE; 2]));
+        }
+    }
+
+    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+        let Some(range) = self.views.get(view).filter(|range| !range.is_empty()) else { return };
+        if !self.instances.bind(pass) {
+            return;
+        }
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(1, &self.group, &[]);
+        QuadBuffer::draw(pass, range.clone());
+    }
+}
+
+fn append(line: &TextLine, place: Vec2, halo: f32, color: Color, instances: &mut Vec<GlyphData>) {
+    instances.extend(line.glyphs.iter().map(|glyph| GlyphData {
+        place: [place.x + glyph.low[0], place.y + glyph.low[1], glyph.extent[0] as f32, glyph.extent[1] as f32],
+        source: [glyph.source[0] as f32, glyph.source[1] as f32, halo],
+        color: color.0,
+    }));
+}

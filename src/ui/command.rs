@@ -1,0 +1,83 @@
+//! What panels and keys ask for. Nothing in `ui` changes anything itself.
+
+use std::path::PathBuf;
+
+use crate::scene::{Layout, SceneFile};
+
+/// A point of the picture or a distance in it, in physical pixels.
+pub type Pixels = glam::Vec2;
+
+/// A wish of the user.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Runs or pauses.
+    PlayPause,
+    /// Pauses and takes this many steps.
+    Step(i64),
+    /// Turns time round.
+    Reverse,
+    /// Twice as fast.
+    Faster,
+    /// Half as fast.
+    Slower,
+    /// This many simulated seconds a real second; the direction stays.
+    SetSpeed(f64),
+    /// Back to the start.
+    Restart,
+    /// Goes to this time (s).
+    GoTo(f64),
+    /// Changes the scene's text; body and start take hold at once.
+    Edit(Box<SceneFile>),
+    /// Spin about this principal axis, tilt and rate as they are.
+    SpinAxis(u8),
+    /// The next scene.
+    NextScene,
+    /// The scene before.
+    PreviousScene,
+    /// Opens the scene at this place in the list.
+    OpenScene(usize),
+    /// Opens a scene file.
+    OpenFile(PathBuf),
+    /// Turns the camera of the view under the pointer.
+    Orbit {
+        /// Where the pointer is.
+        at: Pixels,
+        /// How far it moved.
+        by: Pixels,
+    },
+    /// Moves the camera of the view under the pointer sideways.
+    Pan {
+        /// Where the pointer is.
+        at: Pixels,
+        /// How far it moved.
+        by: Pixels,
+    },
+    /// Brings the camera of the view under the pointer nearer (above 1) or farther.
+    Zoom {
+        /// Where the pointer is.
+        at: Pixels,
+        /// The factor.
+        by: f32,
+    },
+    /// All cameras back to where they were.
+    Home,
+    /// Shows world, body, or both.
+    SetLayout(Layout),
+    /// The next of world, body, both.
+    NextLayout,
+    /// Dark or light.
+    ToggleTheme,
+    /// Shows or hides the panel.
+    TogglePanel,
+    /// Shows or hides the sheet of keys.
+    ToggleHelp,
+    /// Full screen or back.
+    ToggleFullscreen,
+    /// Writes the picture to a file.
+    Picture {
+        /// With no background.
+        transparent: bool,
+    },
+    /// Moves the keyboard's focus into the panel.
+    FocusPanel,
+}

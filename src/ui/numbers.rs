@@ -1,0 +1,60 @@
+//! Numbers as people read them.
+
+/// `1.2 × 10⁻¹⁶`: two digits and a power of ten; 0 as it is.
+#[must_use]
+pub fn scientific(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        return "not finite".to_owned();
+    }
+    let written = format!("{value:.1e}");
+    let (digits, exponent) = written.split_once('e').unwrap_or((written.as_str(), "0"));
+    format!("{}×10{}", digits.replace('-', "−"), superscript(exponent))
+}
+
+/// A number with about `digits` significant digits, without an exponent where it is neither large nor small.
+#[must_use]
+pub fn significant(value: f64, digits: i32) -> String {
+    let magnitude = value.abs();
+    if magnitude != 0.0 && !(1e-4..1e6).contains(&magnitude) {
+        return scientific(value);
+    }
+    let before = if magnitude == 0.0 { 1 } else { magnitude.log10().floor() as i32 + 1 };
+    let decimals = (digits - before).clamp(0, 9) as usize;
+    format!("{value:.decimals$}").replace('-', "−")
+}
+
+/// Without the zeros at the end of a decimal fraction.
+#[must_use]
+pub fn trimmed(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+/// A speed as teachers say it: `1/8×`, `2×`.
+#[must_use]
+pub fn speed(factor: f64) -> String {
+    let size = factor.abs();
+    let sign = if factor < 0.0 { "−" } else { "" };
+    let inverse = 1.0 / size;
+    if size < 1.0 && (inverse - inverse.round()).abs() < 1e-9 {
+        format!("{sign}1/{inverse:.0}×")
+    } else {
+        format!("{sign}{}×", trimmed(&format!("{size:.2}")))
+    }
+}
+
+fn superscript(digits: &str) -> String {
+    digits
+        .chars()
+        .map(|digit| match digit {
+            '-' => '⁻',
+            '1' => '¹',
+            '2' => '²',
+            '3' => '³',
+            '0' | '4'..='9' => char::from_u32(0x2070 + digit as u32 - '0' as u32).unwrap_or(digit),
+            other => other,
+        })
+        .collect()
+}

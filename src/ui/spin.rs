@@ -1,0 +1,93 @@
+//! The start's part of the panel: which axis, how far from it, how fast.
+
+use egui::Ui;
+use glam::DVec3;
+
+use super::widgets::{NumberRow, choice, note, section};
+use super::{Command, Look};
+use crate::scene::{Scene, SceneFile, SpinFile};
+
+/// The start as the panel shows it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spin {
+    /// Principal axis nearest to the spin.
+    pub axis: u8,
+    /// Angle from it (degrees).
+    pub tilt_deg: f64,
+    /// Angular speed (rad/s).
+    pub rate: f64,
+}
+
+impl Spin {
+    /// Reads the start of a scene, however it is given.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        let file = &scene.file.spin;
+        if file.omega.is_none() {
+            return Self {
+                axis: file.axis.unwrap_or(2),
+                tilt_deg: file.tilt_deg.unwrap_or(0.0),
+                rate: file.rate.unwrap_or(1.0),
+            };
+        }
+        let omega = scene.start.body_angular_velocity(&scene.body);
+        let principal = scene.body.body_from_principal().transpose() * omega;
+        let (axis, unit) = [(1, DVec3::X), (2, DVec3::Y), (3, DVec3::Z)]
+            .into_iter()
+            .max_by(|(_, a), (_, b)| a.dot(principal).abs().total_cmp(&b.dot(principal).abs()))
+            .unwrap_or((2, DVec3::Y));
+        let along = unit.dot(principal);
+        let across = (principal - along * unit).length();
+        Self { axis, tilt_deg: across.atan2(along.abs()).to_degrees(), rate: principal.length() }
+    }
+
+    /// The scene's text with this start; the attitude stays.
+    #[must_use]
+    pub fn write(self, file: &SceneFile) -> SceneFile {
+        let spin = SpinFile {
+            axis: Some(self.axis),
+            tilt_deg: Some(self.tilt_deg),
+            rate: Some(self.rate),
+            omega: None,
+            ..file.spin.clone()
+        };
+        SceneFile { spin, ..file.clone() }
+    }
+}
+
+/// Shows it.
+pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    section(ui, "Spin");
+    let mut spin = Spin::of(look.scene);
+    let options = [
+        (1, "1 smallest", "Axis of the smallest moment: stable"),
+        (2, "2 middle", "Axis of the middle moment: unstable, the Dzhanibekov effect"),
+        (3, "3 largest", "Axis of the largest moment: stable"),
+    ];
+    if let Some(axis) = choice(ui, Some(spin.axis), &options)
+        && axis != spin.axis
+    {
+        commands.push(Command::SpinAxis(axis));
+    }
+    let tilt = NumberRow {
+        label: "tilt",
+        unit: "°",
+        range: (0.0, 30.0),
+        logarithmic: Some(1e-6),
+        hint: "Angle between the spin and the axis at the start; all the way left is exactly 0",
+    };
+    let rate = NumberRow {
+        label: "rate",
+        unit: " rad/s",
+        range: (0.0, 20.0),
+        logarithmic: None,
+        hint: "Angular speed at the start",
+    };
+    let tilted = tilt.ui(ui, &mut spin.tilt_deg).changed();
+    if tilted | rate.ui(ui, &mut spin.rate).changed() {
+        commands.push(Command::Edit(Box::new(spin.write(&look.scene.file))));
+    }
+    if spin.tilt_deg == 0.0 {
+        note(ui, "Exactly on the axis: it never flips.");
+    }
+}

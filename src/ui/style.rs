@@ -1,0 +1,126 @@
+//! Fonts, sizes and colours of the panels: calm, and legible from the last row.
+
+use egui::{
+    Color32, Context, CornerRadius, FontDefinitions, FontFamily, FontId, Margin, Stroke, TextStyle, Visuals, vec2,
+};
+
+use crate::scene;
+
+/// Width of the panel (points).
+pub const PANEL_WIDTH: f32 = 316.0;
+
+/// Sets fonts and sizes; once, at the start.
+pub fn install(ctx: &Context) {
+    let mut fonts = FontDefinitions::default();
+    // The proportional font has no arrows; the bundled monospaced one has.
+    if let Some(family) = fonts.families.get_mut(&FontFamily::Proportional)
+        && !family.iter().any(|name| name == "Hack")
+    {
+        family.push("Hack".to_owned());
+    }
+    ctx.set_fonts(fonts);
+    for theme in [egui::Theme::Dark, egui::Theme::Light] {
+        ctx.style_mut_of(theme, |style| {
+            style.text_styles = [
+                (TextStyle::Small, FontId::new(12.5, FontFamily::Proportional)),
+                (TextStyle::Body, FontId::new(15.0, FontFamily::Proportional)),
+                (TextStyle::Button, FontId::new(15.0, FontFamily::Proportional)),
+                (TextStyle::Heading, FontId::new(20.0, FontFamily::Proportional)),
+                (TextStyle::Monospace, FontId::new(14.0, FontFamily::Monospace)),
+            ]
+            .into();
+            let spacing = &mut style.spacing;
+            spacing.item_spacing = vec2(8.0, 7.0);
+            spacing.button_padding = vec2(8.0, 4.0);
+            spacing.interact_size = vec2(32.0, 24.0);
+            spacing.slider_rail_height = 4.0;
+            spacing.combo_width = 60.0;
+            spacing.window_margin = Margin::same(18);
+            style.interaction.selectable_labels = false;
+            style.visuals = visuals(theme);
+        });
+    }
+}
+
+/// Switches the colours.
+pub fn set_theme(ctx: &Context, theme: scene::Theme) {
+    ctx.set_theme(match theme {
+        scene::Theme::Dark => egui::Theme::Dark,
+        scene::Theme::Light => egui::Theme::Light,
+    });
+}
+
+/// Colour of what is chosen and of what is filled.
+#[must_use]
+pub fn accent(is_dark: bool) -> Color32 {
+    if is_dark { Color32::from_rgb(0x5b, 0x9d, 0xf0) } else { Color32::from_rgb(0x1f, 0x62, 0xc4) }
+}
+
+/// Colour of a warning.
+#[must_use]
+pub fn warning(is_dark: bool) -> Color32 {
+    if is_dark { Color32::from_rgb(0xf0, 0xb4, 0x55) } else { Color32::from_rgb(0x9a, 0x56, 0x00) }
+}
+
+fn visuals(theme: egui::Theme) -> Visuals {
+    let is_dark = theme == egui::Theme::Dark;
+    let mut visuals = theme.default_visuals();
+    let grey = Color32::from_gray;
+    let (ground, raised, rail, hover, line, text, soft) = if is_dark {
+        (
+            Color32::from_rgb(0x17, 0x1a, 0x20),
+            Color32::from_rgb(0x25, 0x2a, 0x33),
+            Color32::from_rgb(0x36, 0x3c, 0x48),
+            Color32::from_rgb(0x32, 0x39, 0x45),
+            Color32::from_rgb(0x2c, 0x31, 0x3a),
+            Color32::from_rgb(0xec, 0xee, 0xf2),
+            Color32::from_rgb(0xa4, 0xab, 0xb8),
+        )
+    } else {
+        (
+            Color32::from_rgb(0xf6, 0xf7, 0xf9),
+            Color32::from_rgb(0xe6, 0xe9, 0xee),
+            Color32::from_rgb(0xcb, 0xd1, 0xda),
+            Color32::from_rgb(0xd9, 0xde, 0xe6),
+            Color32::from_rgb(0xd8, 0xdc, 0xe2),
+            Color32::from_rgb(0x17, 0x1a, 0x20),
+            Color32::from_rgb(0x56, 0x5d, 0x69),
+        )
+    };
+    let accent = accent(is_dark);
+    visuals.panel_fill = ground;
+    visuals.window_fill = ground;
+    visuals.window_stroke = Stroke::new(1.0, line);
+    visuals.extreme_bg_color = if is_dark { Color32::from_rgb(0x0f, 0x11, 0x15) } else { grey(0xff) };
+    visuals.faint_bg_color = raised;
+    visuals.weak_text_color = Some(soft);
+    visuals.selection.bg_fill = accent;
+    visuals.selection.stroke =
+        Stroke::new(1.5, if is_dark { Color32::from_rgb(0x08, 0x12, 0x20) } else { Color32::WHITE });
+    visuals.slider_trailing_fill = true;
+    visuals.window_corner_radius = CornerRadius::same(10);
+    visuals.popup_shadow = egui::Shadow::NONE;
+    let widgets = &mut visuals.widgets;
+    for widget in [
+        &mut widgets.noninteractive,
+        &mut widgets.inactive,
+        &mut widgets.hovered,
+        &mut widgets.active,
+        &mut widgets.open,
+    ] {
+        widget.corner_radius = CornerRadius::same(5);
+        widget.expansion = 0.0;
+        widget.fg_stroke = Stroke::new(1.5, text);
+        widget.bg_stroke = Stroke::NONE;
+    }
+    widgets.noninteractive.bg_stroke = Stroke::new(1.0, line);
+    widgets.noninteractive.bg_fill = ground;
+    widgets.inactive.weak_bg_fill = raised;
+    widgets.inactive.bg_fill = rail;
+    for widget in [&mut widgets.hovered, &mut widgets.active, &mut widgets.open] {
+        widget.weak_bg_fill = hover;
+        widget.bg_fill = hover;
+    }
+    widgets.active.bg_stroke = Stroke::new(1.5, accent);
+    visuals
+}

@@ -1,0 +1,101 @@
+//! The few widgets that the panels are made of.
+
+use egui::{Align, Button, DragValue, Layout, Response, RichText, Slider, Ui, vec2};
+
+use super::numbers::{significant, trimmed};
+
+/// Width of the labels in front of sliders (points).
+const LABEL_WIDTH: f32 = 62.0;
+/// Width of the numbers behind them (points).
+const VALUE_WIDTH: f32 = 84.0;
+
+/// A label, a slider and a number with its unit, in one line.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NumberRow<'a> {
+    /// What the number is.
+    pub label: &'a str,
+    /// The unit, with a space before it where one belongs.
+    pub unit: &'a str,
+    /// Smallest and largest value of the slider.
+    pub range: (f64, f64),
+    /// For a logarithmic slider the smallest value above 0.
+    pub logarithmic: Option<f64>,
+    /// What to know about it.
+    pub hint: &'a str,
+}
+
+impl NumberRow<'_> {
+    /// Shows it; the response tells whether the value changed.
+    pub(super) fn ui(self, ui: &mut Ui, value: &mut f64) -> Response {
+        let (low, high) = self.range;
+        ui.horizontal(|ui| {
+            let label = ui
+                .allocate_ui_with_layout(
+                    vec2(LABEL_WIDTH, ui.spacing().interact_size.y),
+                    Layout::left_to_right(Align::Center),
+                    |ui| {
+                        ui.set_min_width(LABEL_WIDTH);
+                        ui.label(self.label)
+                    },
+                )
+                .inner;
+            ui.spacing_mut().slider_width =
+                (ui.available_width() - VALUE_WIDTH - ui.spacing().item_spacing.x).max(40.0);
+            // A value from a file may lie outside the slider's range: it stays until the slider is moved.
+            let mut slider = Slider::new(value, low..=high).show_value(false).clamping(egui::SliderClamping::Edits);
+            if let Some(smallest) = self.logarithmic {
+                slider = slider.logarithmic(true).smallest_positive(smallest).smart_aim(true);
+            }
+            let slid = ui.add(slider).labelled_by(label.id).on_hover_text(self.hint);
+            let speed = if self.logarithmic.is_some() { value.abs().max(1e-9) * 0.01 } else { (high - low) / 500.0 };
+            let number = DragValue::new(value)
+                .range(low..=high)
+                .clamp_existing_to_range(false)
+                .speed(speed)
+                .suffix(self.unit)
+                .custom_formatter(|number, _| trimmed(&significant(number, 4)).to_owned())
+                .custom_parser(|text| text.replace('−', "-").replace(',', ".").parse().ok());
+            let typed = ui
+                .allocate_ui_with_layout(
+                    vec2(VALUE_WIDTH, ui.spacing().interact_size.y),
+                    Layout::centered_and_justified(egui::Direction::LeftToRight),
+                    |ui| ui.add(number),
+                )
+                .inner
+                .labelled_by(label.id);
+            slid | typed
+        })
+        .inner
+    }
+}
+
+/// Buttons side by side of which one is chosen; gives the one that was clicked.
+pub(super) fn choice<T: Copy + PartialEq>(ui: &mut Ui, chosen: Option<T>, options: &[(T, &str, &str)]) -> Option<T> {
+    let mut clicked = None;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let count = options.len().max(1) as f32;
+        let width = (ui.available_width() - 4.0 * (count - 1.0)) / count;
+        for (value, name, hint) in options {
+            let button = Button::selectable(chosen == Some(*value), *name)
+                .frame_when_inactive(true)
+                .truncate()
+                .min_size(vec2(width, 26.0));
+            if ui.add(button).on_hover_text(*hint).clicked() {
+                clicked = Some(*value);
+            }
+        }
+    });
+    clicked
+}
+
+/// The heading of a part of the panel, with air above it.
+pub(super) fn section(ui: &mut Ui, name: &str) {
+    ui.add_space(8.0);
+    ui.label(RichText::new(name).strong().size(16.0));
+}
+
+/// A small sentence in a soft colour.
+pub(super) fn note(ui: &mut Ui, text: impl Into<String>) {
+    ui.label(RichText::new(text).small().weak());
+}
