@@ -218,6 +218,7 @@ impl SceneArguments {
                 mass: None,
                 moments: self.moments,
                 inertia: self.inertia,
+                ..Default::default()
             };
         }
         override_with(&mut body.mass, self.mass);

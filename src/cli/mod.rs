@@ -28,7 +28,13 @@ use failure::Failure;
 /// Without a command it opens the window on SCENE. Every command lists its own flags and examples:
 /// `dzhanibekov shot --help`.
 #[derive(Parser, Debug)]
-#[command(version, args_conflicts_with_subcommands = true, args_override_self = true, infer_long_args = false, max_term_width = 100)]
+#[command(
+    version,
+    args_conflicts_with_subcommands = true,
+    args_override_self = true,
+    infer_long_args = false,
+    max_term_width = 100
+)]
 #[command(after_help = "Examples:
   dzhanibekov                                   the window, on the scene `flip`
   dzhanibekov --box 0.2,0.12,0.04 --axis 2 --tilt 0.01 --rate 6
