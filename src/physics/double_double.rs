@@ -61,10 +61,11 @@ impl DoubleDouble {
         Self { high: self.high * factor, low: self.low * factor }
     }
 
-    /// The part beyond the nearest whole number, in `[−½, ½]`.
-    pub(crate) fn fraction(self) -> f64 {
-        let sum = beyond_whole(self.high) + beyond_whole(self.low);
-        beyond_whole(sum)
+    /// The part of `self × factor` beyond the nearest whole number, in `[−½, ½]`.
+    pub(crate) fn fraction_of_product(self, factor: f64) -> f64 {
+        let product = Self::product(self.high, factor);
+        let low = product.low + self.low * factor;
+        beyond_whole(beyond_whole(product.high) + beyond_whole(low))
     }
 }
 

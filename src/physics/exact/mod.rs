@@ -39,8 +39,8 @@ pub struct Motion {
     /// `R(0) P(0)ᵀ` with the share of ψ that belongs to `u₀`.
     world_from_start: DMat3,
     orbit_from_body: DMat3,
+    /// With the unit of momentum.
     body_from_orbit: DMat3,
-    momentum_unit: f64,
 }
 
 impl Motion {
@@ -59,8 +59,7 @@ impl Motion {
             start: *start,
             world_from_start: start.world_from_body * body_from_orbit * start_inverse,
             orbit_from_body: body_from_orbit.transpose(),
-            body_from_orbit,
-            momentum_unit: orbit.momentum_unit,
+            body_from_orbit: body_from_orbit * orbit.momentum_unit,
         }
     }
 
@@ -69,7 +68,7 @@ impl Motion {
     pub fn at(&self, time: f64) -> (DMat3, DVec3) {
         let (frame, momentum) = self.path.frame_at(time);
         let attitude = self.world_from_start * (DMat3::from_quat(frame) * self.orbit_from_body);
-        (attitude, self.body_from_orbit * (momentum * self.momentum_unit))
+        (attitude, self.body_from_orbit * momentum)
     }
 
     /// Attitude `R`, `world_from_body`, at a time (s).
@@ -81,7 +80,7 @@ impl Motion {
     /// Body momentum `M` (kg m²/s) at a time (s).
     #[must_use]
     pub fn momentum(&self, time: f64) -> DVec3 {
-        self.body_from_orbit * (self.path.momentum(time) * self.momentum_unit)
+        self.body_from_orbit * self.path.momentum(time)
     }
 
     /// The state at a time (s). At 0 the start itself, bit for bit; world momentum is the start's at any time.

@@ -240,7 +240,7 @@ fn phase(rate: DoubleDouble, time: f64) -> f64 {
     // Lest the splitting of a factor overflow.
     let (rate, time) = if time.abs() > 1e280 { (rate.scaled(1e32), time * 1e-32) } else { (rate, time) };
     let turns = rate.high * time;
-    if turns.abs() < 1e32 { (rate * time).fraction() } else { 0.0 }
+    if turns.abs() < 1e32 { rate.fraction_of_product(time) } else { 0.0 }
 }
 
 /// `(−1)ⁿ q^(2n²)` times `sinh 2ny` and `cosh 2ny`, `y = πη/2K`.
