@@ -119,7 +119,8 @@ fn words(horizons: &[Horizon]) -> String {
         parts.join(", ")
     };
     format!(
-        "Against plain second order, the median error over random bodies is with the notes' augmented term {}; with the opposite sign {}.",
+        "Against plain second order on the same body, the error is in the median over random bodies: with the notes' augmented term {}; \
+         with the opposite sign {}.",
         says(1),
         says(2)
     )

@@ -1,6 +1,6 @@
 //! Speed against error: every method measured on this machine.
 //!
-//! [`measure`] fills a plain [`Report`]; the writers in [`write`] turn it into a page, tables and plots, one format a file.
+//! [`measure`] fills a plain [`Report`]; the writers in [`mod@write`] turn it into a page, tables and plots, one format a file.
 //! Methods are read from [`crate::physics::METHODS`]: a new row there is measured with no change here.
 
 pub mod augmented;
