@@ -11,7 +11,7 @@ use crate::frame::{Dash, Frame, Line};
 /// `Segment` of shaders/line.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct SegmentData {
+pub(super) struct SegmentData {
     before: [f32; 3],
     start: [f32; 3],
     end: [f32; 3],

@@ -13,16 +13,17 @@ use crate::frame::{Frame, Quadric, QuadricPair};
 /// `Pair` of shaders/quadrics.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct PairUniform {
-    quadrics: [QuadricData; 2],
-    choice: Vec4,
+pub(super) struct PairUniform {
+    pub(super) first: QuadricData,
+    pub(super) second: QuadricData,
+    pub(super) choice: Vec4,
 }
 
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct QuadricData {
-    unit_from_world: Mat4,
-    color: [f32; 4],
+pub(super) struct QuadricData {
+    pub(super) unit_from_world: Mat4,
+    pub(super) color: [f32; 4],
 }
 
 /// Draws the quadrics of a frame.
@@ -118,7 +119,8 @@ fn pair_uniform(pair: &QuadricPair, [near, far]: [f32; 2]) -> PairUniform {
     let data = |quadric: Quadric| QuadricData { unit_from_world: quadric.unit_from_world, color: quadric.color.0 };
     let second = pair.second.unwrap_or(pair.first);
     PairUniform {
-        quadrics: [data(pair.first), data(second)],
+        first: data(pair.first),
+        second: data(second),
         choice: Vec4::new(f32::from(pair.second.is_some()), near, far, 0.0),
     }
 }
