@@ -2,16 +2,21 @@
 //!
 //! Nothing is drawn unless something changed, and nothing at all while the window cannot be seen.
 
+mod command_line;
 mod compose;
+mod files;
 mod open;
 mod pacing;
+mod pick;
+mod remember;
 mod screen;
 mod session;
+mod start;
 mod startup;
 mod surface;
 
 use winit::application::ApplicationHandler;
-use winit::event::{StartCause, WindowEvent};
+use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
 use winit::window::WindowId;
 
@@ -19,20 +24,27 @@ use web_time::Instant;
 
 pub use startup::WindowError;
 
+use crate::render::Pixels;
 use crate::scene::Scene;
 use crate::ui::{Command, Panels};
 use open::OpenWindow;
 use pacing::Pacer;
+use remember::Remembered;
 use session::{Request, Session};
 
 /// How the window is opened.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct WindowOptions {
     /// Its size in pixels.
     pub size: Option<[u32; 2]>,
     /// A part of the name of the graphics adapter to draw with.
     pub adapter: Option<String>,
+    /// Makes a PNG file of a picture, transparent or not.
+    pub encode_png: EncodePng,
 }
+
+/// Makes a PNG file of a picture, transparent or not; or says why it could not.
+pub type EncodePng = fn(&Pixels, bool) -> Result<Vec<u8>, String>;
 
 /// Opens the window on a scene and returns when it is closed.
 ///
@@ -42,10 +54,12 @@ pub fn run(scene: Scene, options: WindowOptions) -> Result<(), WindowError> {
     startup::check_display()?;
     let event_loop =
         EventLoop::<Wake>::with_user_event().build().map_err(|error| WindowError::Display(error.to_string()))?;
+    let remembered = Remembered::load();
     let mut app = App {
         options,
+        remembered,
         proxy: event_loop.create_proxy(),
-        session: Session::new(scene),
+        session: Session::new(scene, &remembered),
         panels: Panels::default(),
         pacer: Pacer::new(),
         window: None,
@@ -76,6 +90,7 @@ impl From<egui_winit::accesskit_winit::Event> for Wake {
 
 struct App {
     options: WindowOptions,
+    remembered: Remembered,
     proxy: EventLoopProxy<Wake>,
     session: Session,
     panels: Panels,
@@ -143,20 +158,29 @@ impl App {
                         window.toggle_fullscreen();
                     }
                 }
-                Request::Picture { .. } => {}
+                Request::Picture { transparent } => {
+                    if let Some(window) = &mut self.window {
+                        let outcome = window.write_picture(&self.session, transparent, self.options.encode_png);
+                        self.session.say(outcome.unwrap_or_else(|why| why));
+                    }
+                }
+                Request::CopyCommand => {
+                    if let Some(window) = &mut self.window {
+                        let outcome = window.copy_command(&self.session);
+                        self.session.say(outcome);
+                    }
+                }
             }
         }
     }
 }
 
 impl ApplicationHandler<Wake> for App {
-    fn new_events(&mut self, _: &ActiveEventLoop, _: StartCause) {}
-
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
         if self.window.is_some() {
             return;
         }
-        match OpenWindow::new(event_loop, &self.options, &self.proxy, &self.session) {
+        match OpenWindow::new(event_loop, &self.options, &self.remembered, &self.proxy, &self.session) {
             Ok(window) => {
                 self.pacer.set_refresh_rate(window.refresh_rate());
                 self.window = Some(window);
@@ -227,6 +251,10 @@ impl ApplicationHandler<Wake> for App {
 
     fn exiting(&mut self, _: &ActiveEventLoop) {
         // While the display still stands: surface and device outlive nothing.
-        self.window = None;
+        if let Some(window) = self.window.take() {
+            window.remember(&mut self.remembered);
+            self.session.remember(&mut self.remembered);
+            self.remembered.save();
+        }
     }
 }

@@ -9,14 +9,14 @@ use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 use winit::window::{Fullscreen, Window};
 
+use super::files;
+use super::remember::Remembered;
 use super::screen::{Painted, Screen};
 use super::session::Session;
-use super::{Wake, WindowError, WindowOptions};
+use super::{EncodePng, Wake, WindowError, WindowOptions};
 use crate::objects;
 use crate::ui::{Command, Panels, Pixels, keys, style};
 
-/// Size of the window where none is asked for (points).
-const SIZE: LogicalSize<f64> = LogicalSize::new(1280.0, 720.0);
 /// Smallest size that still holds the panels (points).
 const SMALLEST: LogicalSize<f64> = LogicalSize::new(480.0, 320.0);
 
@@ -46,6 +46,7 @@ impl OpenWindow {
     pub(super) fn new(
         event_loop: &ActiveEventLoop,
         options: &WindowOptions,
+        remembered: &Remembered,
         proxy: &EventLoopProxy<Wake>,
         session: &Session,
     ) -> Result<Self, WindowError> {
@@ -53,9 +54,11 @@ impl OpenWindow {
         // Hidden until there is something to see; the screen reader's part also wants it so.
         let attributes =
             Window::default_attributes().with_title(&title).with_min_inner_size(SMALLEST).with_visible(false);
-        let attributes = match options.size {
-            Some([width, height]) => attributes.with_inner_size(PhysicalSize::new(width, height)),
-            None => attributes.with_inner_size(SIZE),
+        let attributes = if let Some([width, height]) = options.size {
+            attributes.with_inner_size(PhysicalSize::new(width, height))
+        } else {
+            let [width, height] = remembered.size;
+            attributes.with_inner_size(LogicalSize::new(width, height)).with_maximized(remembered.maximized)
         };
         let window = event_loop.create_window(attributes).map_err(|error| WindowError::Display(error.to_string()))?;
         let window = Arc::new(window);
@@ -159,6 +162,7 @@ impl OpenWindow {
             self.window.set_title(&title);
             self.title = title;
         }
+        self.scale_text(&context, session.text_size);
         let fullscreen = self.window.fullscreen().is_some();
         let mut input = self.egui.take_egui_input(&self.window);
         let has_focus = context.memory(|memory| memory.focused().is_some());
@@ -186,6 +190,50 @@ impl OpenWindow {
         };
         let is_done = self.screen.present(&self.window, painted, corner);
         Drawn { commands, repaint_after: if is_done { repaint_after } else { Some(Duration::ZERO) } }
+    }
+
+    /// The panels grow with the window, as what is projected does: legible from the last row at any resolution.
+    fn scale_text(&self, context: &egui::Context, text_size: f32) {
+        let size = self.window.inner_size().to_logical::<f32>(self.window.scale_factor());
+        let room = (size.width / 1280.0).min(size.height / 720.0).max(1.0);
+        context.set_zoom_factor(text_size * room.powf(0.7));
+    }
+
+    /// Writes the picture as it is, as large as the window; says where.
+    pub(super) fn write_picture(
+        &mut self,
+        session: &Session,
+        transparent: bool,
+        encode: EncodePng,
+    ) -> Result<String, String> {
+        let (width, height) = self.screen.size();
+        let aspect = width as f32 / height as f32;
+        let mut frame = objects::build_frame(&session.sim, &session.scene.view, &session.cameras, aspect);
+        frame.transparent = transparent;
+        let bytes = encode(&self.screen.picture(&frame, [width, height])?, transparent)?;
+        let path = files::write_new(&session.scene.file.title, "png", &bytes)?;
+        Ok(format!("Written to {}", path.display()))
+    }
+
+    /// Puts the command that draws this picture on the clipboard; says what it did.
+    pub(super) fn copy_command(&mut self, session: &Session) -> String {
+        let (width, height) = self.screen.size();
+        match session.as_command([width, height]) {
+            Some(line) => {
+                self.egui.set_clipboard_text(line.clone());
+                format!("Copied: {line}")
+            }
+            None => "No command can say this start: save the scene first (Ctrl+S), then copy.".to_owned(),
+        }
+    }
+
+    /// Notes the window's size for the next time.
+    pub(super) fn remember(&self, remembered: &mut Remembered) {
+        remembered.maximized = self.window.is_maximized();
+        if !remembered.maximized && self.window.fullscreen().is_none() {
+            let size = self.window.inner_size().to_logical::<f64>(self.window.scale_factor());
+            remembered.size = [size.width, size.height];
+        }
     }
 
     /// Redraws the picture where something in it changed. Gives its corner in the window (pixels).

@@ -10,7 +10,7 @@ use super::WindowError;
 use super::compose::Compose;
 use super::surface::{Acquired, Surface};
 use crate::frame::Frame;
-use crate::render::{Gpu, Renderer};
+use crate::render::{Canvas, Gpu, Pixels, Renderer, point_size};
 
 /// The device, the window's surface and what is drawn with.
 pub(super) struct Screen {
@@ -96,6 +96,13 @@ impl Screen {
         if let Some((target, size)) = self.compose.target() {
             self.renderer.render(&self.gpu, frame, target, [size.0, size.1], point);
         }
+    }
+
+    /// Draws a picture apart from the window.
+    pub(super) fn picture(&mut self, frame: &Frame, size: [u32; 2]) -> Result<Pixels, String> {
+        let canvas = Canvas::new(&self.gpu, size);
+        self.renderer.render(&self.gpu, frame, canvas.view(), size, point_size(size));
+        canvas.read(&self.gpu).map_err(|error| error.to_string())
     }
 
     /// Draws the picture at its place, the panels on top, and presents. False where it should be tried again soon.

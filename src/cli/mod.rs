@@ -3,6 +3,7 @@
 mod arguments;
 mod failure;
 mod lists;
+mod manual;
 mod output;
 #[cfg(feature = "picture")]
 mod picture;
@@ -12,6 +13,7 @@ mod quiet_driver;
 mod record;
 #[cfg(feature = "report")]
 mod report;
+mod signal;
 mod trace;
 
 use std::process::ExitCode;
@@ -26,7 +28,7 @@ use failure::Failure;
 /// Without a command it opens the window on SCENE. Every command lists its own flags and examples:
 /// `dzhanibekov shot --help`.
 #[derive(Parser, Debug)]
-#[command(version, args_conflicts_with_subcommands = true, infer_long_args = false, max_term_width = 100)]
+#[command(version, args_conflicts_with_subcommands = true, args_override_self = true, infer_long_args = false, max_term_width = 100)]
 #[command(after_help = "Examples:
   dzhanibekov                                   the window, on the scene `flip`
   dzhanibekov --box 0.2,0.12,0.04 --axis 2 --tilt 0.01 --rate 6
@@ -88,6 +90,12 @@ enum Command {
     #[cfg(feature = "picture")]
     /// List the graphics adapters
     Adapters(lists::ListArguments),
+    /// Write the man page to standard output: dzhanibekov man | man -l -
+    #[command(hide = true)]
+    Man,
+    /// Write completions for a shell to standard output
+    #[command(hide = true)]
+    Completions(manual::CompletionArguments),
 }
 
 /// Runs the program and turns its outcome into the exit code: 0 done, 1 it could not, 2 the request was wrong.
@@ -125,6 +133,8 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Methods(list)) => lists::methods(&list),
         #[cfg(feature = "picture")]
         Some(Command::Adapters(list)) => picture::adapters(&list),
+        Some(Command::Man) => manual::man(),
+        Some(Command::Completions(completions)) => manual::completions(&completions),
     }
 }
 
@@ -134,7 +144,10 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
     {
         picture::check_objects(&scene)?;
         let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
-        let options = dzhanibekov::app::WindowOptions { size, adapter: arguments.adapter.clone() };
+        let encode_png = |pixels: &dzhanibekov::render::Pixels, transparent| {
+            dzhanibekov::headless::encode(pixels, transparent, &[]).map_err(|error| error.to_string())
+        };
+        let options = dzhanibekov::app::WindowOptions { size, adapter: arguments.adapter.clone(), encode_png };
         dzhanibekov::app::run(scene, options).map_err(|error| Failure::could(error.to_string()))
     }
     #[cfg(not(feature = "window"))]

@@ -4,6 +4,7 @@ use std::fs;
 use std::io::IsTerminal;
 use std::path::Path;
 
+use dzhanibekov::report::cases::Case;
 use dzhanibekov::report::{self, Effort, Report, ReportError, peers, write};
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -19,7 +20,14 @@ const LARGEST_FILE: u64 = 16 << 20;
 const BAR: f64 = 1000.0;
 
 pub(super) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
+    super::signal::end_at_once()?;
     let scene = if arguments.scene.is_given() { Some(arguments.scene.scene(None, arguments.quiet)?) } else { None };
+    let is_at_rest = scene.as_ref().is_some_and(|scene| Case::of_scene(scene).is_none());
+    if is_at_rest && !arguments.quiet {
+        eprintln!(
+            "dzhanibekov: the body of the scene is at rest: there is nothing to measure on it, and it is left out"
+        );
+    }
     let peers = arguments.peers.as_deref().map(read_peers).transpose()?.unwrap_or_default();
     let folder = match (&arguments.output, &arguments.json) {
         (Some(folder), _) => Some(folder.as_path()),
@@ -56,6 +64,10 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
     }
     if !arguments.quiet {
         eprint!("{}", write::terminal::write(&report));
+        let left_out = report.peers.len() - report.beside.len();
+        if left_out > 0 {
+            eprintln!("dzhanibekov: {left_out} of the peers' points are of motions or times that were not measured");
+        }
         if let Some(folder) = folder {
             eprintln!("dzhanibekov: the report is in {}", folder.join("report.html").display());
         }

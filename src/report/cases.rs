@@ -4,6 +4,7 @@ use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
 use super::ReportError;
+use crate::physics::poinsot::flip_period;
 use crate::physics::{Body, Integration, Method, MethodError, Motion, State, so3};
 use crate::scene::Scene;
 
@@ -49,7 +50,7 @@ pub struct Case {
     pub time: f64,
     /// `|Ω|` at the start (rad/s): the step is told in turns of this rate.
     pub rate: f64,
-    samples: Vec<(f64, DMat3)>,
+    pub(super) samples: Vec<(f64, DMat3)>,
 }
 
 /// How far a state is from the truth.
@@ -191,13 +192,14 @@ impl Case {
         integration
     }
 
-    /// The largest `|Ω|` of the motion (rad/s), among samples eight to a radian.
+    /// The largest `|Ω|` of the motion (rad/s), among samples of one period, or of the case's time where that is longer.
     #[must_use]
     pub fn largest_rate(&self) -> f64 {
-        const SAMPLES: f64 = 4096.0;
-        let step = (self.time / SAMPLES).min(1.0 / (8.0 * self.rate));
+        const SAMPLES: u32 = 4096;
+        let period = flip_period(&self.body, self.start.body_momentum).unwrap_or(0.0);
+        let step = period.max(self.time) / f64::from(SAMPLES);
         let rate = |i: u32| so3::norm(self.body.angular_velocity(self.motion.momentum(f64::from(i) * step)));
-        (0..SAMPLES as u32).map(rate).fold(self.rate, f64::max)
+        (0..SAMPLES).map(rate).fold(self.rate, f64::max)
     }
 
     /// Numbers of steps in `from..=to` whose step `time/n` is an exact number: with any other the end would be missed

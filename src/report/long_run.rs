@@ -10,9 +10,9 @@ use crate::physics::{Integration, METHODS, Method};
 /// Samples a decade of time.
 const SAMPLES: f64 = 8.0;
 /// Above this error (rad) the attitude is lost, and the law of growth with it.
-const LOST: f64 = 0.5;
+pub const LOST: f64 = 0.5;
 /// Above this relative error an invariant is lost.
-const INVARIANT_LOST: f64 = 0.1;
+pub const INVARIANT_LOST: f64 = 0.1;
 /// Fewest samples that a law is fitted to: a decade of time and one more.
 const FEWEST_SAMPLES: usize = SAMPLES as usize + 1;
 /// An invariant whose error stays below this is kept to round-off.
@@ -148,7 +148,8 @@ fn growth(samples: &[LongSample], error: fn(&Errors) -> f64, lost: f64) -> Growt
         _ if largest == 0.0 => "exactly zero".to_owned(),
         (law, Some(sample)) => {
             let law = law.map(|law| format!("{law}, then ")).unwrap_or_default();
-            format!("{law}lost after {:.0} turns", sample.turns)
+            let turns = sample.turns;
+            if turns < 1.0 { format!("{law}lost within a turn") } else { format!("{law}lost after {turns:.0} turns") }
         }
         (Some(law), None) if largest < ROUND_OFF => format!("round-off, {law}"),
         (Some(law), None) => law,

@@ -158,7 +158,7 @@ pub struct Report {
     pub peers: Vec<Peer>,
 }
 
-/// Measures everything: the cases of the table, and a scene where one is given. `progress` is told what is
+/// Measures everything: the cases of the table, and a scene where one is given (not where its body is at rest). `progress` is told what is
 /// being done and what part of the whole is (0 to 1).
 ///
 /// # Errors
@@ -175,7 +175,11 @@ pub fn measure(
     };
     let (generic, flipping) = (find(GENERIC)?, find(FLIPPING)?);
     let mut measured: Vec<Case> = if effort.is_quick { vec![generic.clone(), flipping.clone()] } else { table.clone() };
-    measured.extend(scene.and_then(Case::of_scene));
+    measured.extend(scene.and_then(Case::of_scene).map(|case| {
+        // A scene that is named as a case of the table is another motion all the same.
+        let is_taken = table.iter().any(|other| other.name == case.name);
+        if is_taken { Case { name: format!("{} (scene)", case.name), ..case } } else { case }
+    }));
 
     // Shares of the whole by what they took when this was written.
     progress("cost of a step", 0.0);
@@ -221,5 +225,68 @@ fn case_row(case: &Case) -> CaseRow {
         rate: case.rate,
         t: case.time,
         reference: case.truth(case.time).1.name(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::METHODS;
+
+    fn small() -> Effort {
+        Effort {
+            rounds: 1,
+            budget: 0.0,
+            longest_run: 1e-3,
+            stability_points: 6,
+            most_hard_steps: 2e4,
+            long_time: 1e3,
+            bodies: 20,
+            ..Effort::quick()
+        }
+    }
+
+    #[test]
+    fn a_report_has_every_method_and_can_be_written_in_every_format() {
+        let peers =
+            r#"[{"case":"T-handle","t":60.0,"peer":"<other> & co","setting":"a=1","seconds":1.0,"error":1e-3}]"#;
+        let mut last = 0.0;
+        let report = peers::parse(peers).and_then(|peers| {
+            measure(None, peers, &small(), |_, share| {
+                assert!((last..=1.0).contains(&share), "{last} {share}");
+                last = share;
+            })
+        });
+        let Ok(report) = report else { unreachable!("{report:?}") };
+        for method in METHODS {
+            let name = method.name;
+            assert!(report.rows.iter().any(|row| row.method == name), "{name}");
+            assert!(report.orders.iter().any(|row| row.method == name && row.agrees), "{name} {:?}", report.orders);
+            assert!(report.cost.methods.iter().any(|row| row.method == name && row.timing.seconds > 0.0), "{name}");
+            assert!(report.long_run.iter().any(|row| row.method == name), "{name}");
+            assert!(report.hard.iter().any(|row| row.method == name), "{name}");
+        }
+        let lost: Vec<_> = report.hard.iter().filter(|row| !row.held).collect();
+        assert!(lost.is_empty(), "{lost:?}");
+        assert!(report.beside.iter().all(|row| row.stepping.is_some() && row.closed_form.is_some()));
+
+        let json: Result<serde_json::Value, _> = serde_json::from_str(&write::json::write(&report));
+        assert!(json.is_ok_and(|json| {
+            ["machine", "rows", "orders", "hard"].iter().all(|key| json.get(key).is_some())
+                && ["case", "method", "step", "t", "steps", "seconds", "ns_per_step", "attitude_error", "energy_error"]
+                    .iter()
+                    .all(|key| json["rows"][0].get(key).is_some())
+        }));
+        let csv = write::csv::write(&report);
+        let columns = csv.lines().next().map_or(0, |head| head.split(',').count());
+        assert!(csv.lines().all(|line| line.split(',').count() == columns));
+        assert_eq!(csv.lines().count(), report.rows.len() + 1);
+        let html = write::html::write(&report);
+        assert!(html.contains("&lt;other&gt; &amp; co") && !html.contains("<other>"));
+        for (name, plot) in write::plots::all(&report) {
+            let svg = plot.standalone();
+            assert!(svg.starts_with("<svg") && svg.ends_with("</svg>\n") && !svg.contains("NaN"), "{name}");
+        }
+        assert!(write::terminal::write(&report).lines().count() > METHODS.len());
     }
 }

@@ -13,7 +13,7 @@ const TOLERANCE: f64 = 0.1;
 /// Largest step (rad).
 const LARGEST: f64 = 3.0;
 /// Smallest step (rad).
-const SMALLEST: f64 = 0.001;
+const SMALLEST: f64 = 0.0011;
 /// Samples a radian in which the true flips are looked for.
 const SCAN: f64 = 8.0;
 
@@ -55,7 +55,7 @@ pub fn measure(case: &Case, time: f64, effort: &Effort) -> Vec<Stability> {
             let samples: Vec<StabilitySample> = (0..count)
                 .map(|i| {
                     let wanted = SMALLEST * (ratio * i as f64 / (count - 1) as f64).exp();
-                    let steps = (case.rate * time / wanted).ceil() as u64;
+                    let steps = (case.rate * time / wanted).floor().max(1.0) as u64;
                     let outcome = case.run(method, time, steps).map(|state| case.errors(time, &state));
                     let angle = case.rate * time / steps as f64;
                     let flips = flips(case, method, angle / case.rate, last + period);

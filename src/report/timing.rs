@@ -8,7 +8,7 @@ use std::hint::black_box;
 use serde::Serialize;
 use web_time::Instant;
 
-use super::fit::median;
+use super::fit::{median, quantile};
 use crate::physics::Integration;
 
 /// Seconds of one run below which several are put in one reading (s): some thousand times the clock's own grain.
@@ -18,15 +18,19 @@ const LARGEST_BATCH: u32 = 512;
 /// Readings that a long run gets at the least.
 const FEWEST: usize = 3;
 
-/// Seconds of one run: median, least and most over the repeats.
+/// Seconds of one run over the repeats: the median, the ends and the quartiles.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Timing {
     /// Median (s).
     pub seconds: f64,
     /// Least (s).
     pub seconds_min: f64,
-    /// Most (s).
+    /// Most (s): on a busy machine that is the machine's and not the method's.
     pub seconds_max: f64,
+    /// A quarter of the readings lie below (s).
+    pub seconds_lower: f64,
+    /// A quarter of the readings lie above (s).
+    pub seconds_upper: f64,
     /// Number of readings.
     pub repeats: usize,
 }
@@ -38,6 +42,8 @@ impl Timing {
             seconds: median(samples),
             seconds_min: fold(f64::min, f64::INFINITY),
             seconds_max: fold(f64::max, 0.0),
+            seconds_lower: quantile(samples, 0.25),
+            seconds_upper: quantile(samples, 0.75),
             repeats: samples.len(),
         }
     }
@@ -49,6 +55,8 @@ impl Timing {
             seconds: self.seconds * factor,
             seconds_min: self.seconds_min * factor,
             seconds_max: self.seconds_max * factor,
+            seconds_lower: self.seconds_lower * factor,
+            seconds_upper: self.seconds_upper * factor,
             ..self
         }
     }

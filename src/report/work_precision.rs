@@ -4,6 +4,7 @@ use serde::Serialize;
 use web_time::Instant;
 
 use super::cases::{Case, Errors, Reference};
+use super::fit::median;
 use super::timing::{Job, Timing, interleaved};
 use super::{CLOSED_FORM, Effort};
 use crate::physics::methods::Order;
@@ -11,15 +12,18 @@ use crate::physics::{METHODS, Method, Motion};
 
 /// Angle turned in the coarsest step (rad).
 const COARSEST: f64 = 3.0;
-/// Largest step of the dense scan that methods without an error of method get (rad, at the fastest moment of the motion): the
-/// fewer steps the better, but past this the exact step hands over to the closed form and steps no longer.
-const EXACT_COARSEST: f64 = 1.19;
+/// Largest steps that methods without an error of method get (rad, at the fastest moment of the motion): the fewer steps the better,
+/// down to a quarter turn.
+const EXACT_COARSEST: [f64; 3] = [1.55, 1.35, 1.19];
 /// Smallest step of that scan (rad).
 const EXACT_FINEST: f64 = 0.1;
 /// Most points in that scan.
 const EXACT_POINTS: usize = 8;
 /// Points past the best one that still belong to the curve: they show the floor.
 const POINTS_ON_THE_FLOOR: usize = 2;
+/// Part of the usual time of its steps below which a run took no steps but leapt to its end: the exact step hands steps that
+/// are too large for it to the closed form.
+const LEAP: f64 = 0.6;
 /// Above this error a curve has not begun to fall, and no floor is looked for.
 const FLOOR_BELOW: f64 = 1e-9;
 
@@ -73,7 +77,7 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
         }
     }
     let timings = interleaved(jobs, effort.rounds, effort.budget);
-    points
+    let mut rows: Vec<Row> = points
         .iter()
         .zip(timings.chunks_exact(2))
         .map(|(point, timings)| {
@@ -94,7 +98,13 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
                 reference: case.truth(case.time).1,
             }
         })
-        .collect()
+        .collect();
+    for method in METHODS.iter().filter(|method| method.order == Order::Exact) {
+        let own = rows.iter().filter(|row| row.method == method.name).map(|row| row.ns_per_step);
+        let usual = median(&own.collect::<Vec<f64>>());
+        rows.retain(|row| row.method != method.name || row.ns_per_step >= LEAP * usual);
+    }
+    rows
 }
 
 /// The step counts worth a point, with the error at each.
@@ -110,13 +120,14 @@ fn points(case: &Case, method: &'static Method, effort: &Effort) -> Vec<Point> {
     let mut points = Vec::new();
     if method.order == Order::Exact {
         let angle = case.largest_rate() * case.time;
-        let counts: Vec<u64> = case.exact_divisions(angle / EXACT_COARSEST, angle / EXACT_FINEST).collect();
-        let stride = counts.len().div_ceil(EXACT_POINTS - 2).max(1);
-        // The fewest steps are the fastest, but may be more than the method can take: the first few all get a try.
-        let tried = counts.iter().enumerate().filter(|(i, _)| *i < 2 || i % stride == 0).map(|(_, steps)| *steps);
+        let counts: Vec<u64> = case.exact_divisions(angle / EXACT_COARSEST[0], angle / EXACT_FINEST).collect();
+        let stride = counts.len().div_ceil(EXACT_POINTS).max(1);
         // The very fewest do not divide the time exactly: that costs the last digit, and none where time matters most.
-        let fewest = (angle / EXACT_COARSEST).ceil() as u64;
-        points.extend(std::iter::once(fewest).chain(tried.filter(|steps| *steps != fewest)).filter_map(point));
+        let fewest = EXACT_COARSEST.map(|coarsest| (angle / coarsest).ceil().max(1.0) as u64);
+        let mut tried: Vec<u64> = counts.iter().copied().step_by(stride).chain(fewest).collect();
+        tried.sort_unstable();
+        tried.dedup();
+        points.extend(tried.into_iter().filter_map(point));
         return points;
     }
     let Some(mut steps) = case.exact_divisions(angle / COARSEST, angle / COARSEST * 4.0 + 4.0).next() else {

@@ -1,7 +1,11 @@
 //! The running simulation: its clock, the body under its method, and the same start under others beside it.
 
 mod clock;
+mod flips;
+mod history;
 mod simulation;
 
 pub use clock::{Clock, Tick};
+pub use flips::FlipWatch;
+pub use history::{Errors, History, Sample};
 pub use simulation::{Runner, Simulation};

@@ -26,10 +26,22 @@ pub enum Command {
     Restart,
     /// Goes to this time (s).
     GoTo(f64),
+    /// To shortly before the next flip.
+    NextFlip,
     /// Changes the scene's text; body and start take hold at once.
     Edit(Box<SceneFile>),
     /// Spin about this principal axis, tilt and rate as they are.
     SpinAxis(u8),
+    /// A start of the same momentum with this energy (J).
+    SetEnergy(f64),
+    /// A start of the same momentum on the separatrix.
+    ToSeparatrix,
+    /// A small nudge to the body as it turns, which keeps the momentum.
+    Poke,
+    /// The pointer is here over the picture, or nowhere.
+    Hover(Option<Pixels>),
+    /// Starts with the body momentum where the sphere was clicked.
+    Pick(Pixels),
     /// The next scene.
     NextScene,
     /// The scene before.
@@ -69,6 +81,14 @@ pub enum Command {
     ToggleTheme,
     /// Shows or hides the panel.
     TogglePanel,
+    /// Shows or hides the scene's title, text and question.
+    ToggleSlide,
+    /// Shows or hides the charts.
+    ToggleCharts,
+    /// Names beside things, or not.
+    ToggleLabels,
+    /// Larger text (above 1) or smaller; 0 is the usual size.
+    TextSize(f32),
     /// Shows or hides the sheet of keys.
     ToggleHelp,
     /// Full screen or back.
@@ -78,6 +98,10 @@ pub enum Command {
         /// With no background.
         transparent: bool,
     },
+    /// The command that draws this picture, to the clipboard.
+    CopyCommand,
+    /// Writes the scene to a file.
+    SaveScene,
     /// Moves the keyboard's focus into the panel.
     FocusPanel,
 }

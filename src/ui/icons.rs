@@ -17,6 +17,8 @@ pub(super) enum Icon {
     Reverse,
     /// A bar on the left and two triangles to the left.
     Restart,
+    /// Two triangles to the right and a bar.
+    Next,
 }
 
 /// A button with a sign; `name` says what it does, to readers of hints and of the screen alike.
@@ -61,6 +63,11 @@ fn draw(painter: &Painter, icon: Icon, area: Rect, colour: Color32) {
         Icon::Reverse => {
             left(-0.08, 0.5);
             left(0.5, 1.08);
+        }
+        Icon::Next => {
+            right(-0.14, 0.36);
+            right(0.36, 0.86);
+            bar(0.98, 0.14);
         }
         Icon::Restart => {
             bar(0.06, 0.16);

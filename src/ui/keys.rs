@@ -5,21 +5,23 @@ use egui::{Event, Key, RawInput};
 use super::{Command, Look};
 use crate::scene::{Layout, Theme};
 
-/// Whether a chord wants the Shift key.
+/// What a chord wants held besides its key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Shift {
-    /// Without it.
+enum Held {
+    /// Neither Shift nor Ctrl.
     Up,
-    /// With it.
+    /// Shift.
     Down,
     /// Either way, as for signs that need it on some keyboards.
     Any,
+    /// With Ctrl (⌘ on a Mac), Shift either way.
+    Control,
 }
 
 /// A row of the table.
 #[derive(Debug)]
 pub struct Binding {
-    chords: &'static [(Shift, Key)],
+    chords: &'static [(Held, Key)],
     /// Whether a held key repeats.
     repeats: bool,
     /// The keys as people write them.
@@ -33,7 +35,7 @@ pub struct Binding {
 
 const fn row(
     keys: &'static str,
-    chords: &'static [(Shift, Key)],
+    chords: &'static [(Held, Key)],
     does: &'static str,
     command: Command,
     state: fn(&Look<'_>) -> Option<&'static str>,
@@ -43,7 +45,7 @@ const fn row(
 
 const fn repeating(
     keys: &'static str,
-    chords: &'static [(Shift, Key)],
+    chords: &'static [(Held, Key)],
     does: &'static str,
     command: Command,
 ) -> Binding {
@@ -58,7 +60,7 @@ fn on_off(is_on: bool) -> &'static str {
     if is_on { "on" } else { "off" }
 }
 
-use Shift::{Any, Down, Up};
+use Held::{Any, Control, Down, Up};
 
 /// The keys, in the order in which the help sheet shows them.
 pub static BINDINGS: &[Binding] = &[
@@ -73,6 +75,8 @@ pub static BINDINGS: &[Binding] = &[
     repeating("+", &[(Any, Key::Plus), (Up, Key::Equals)], "faster", Command::Faster),
     repeating("−", &[(Any, Key::Minus)], "slower", Command::Slower),
     row("R", &[(Up, Key::R)], "restart", Command::Restart, silent),
+    row("N", &[(Up, Key::N)], "to the next flip", Command::NextFlip, silent),
+    row("P", &[(Up, Key::P)], "poke", Command::Poke, silent),
     row("1", &[(Up, Key::Num1)], "spin about axis 1 (smallest moment)", Command::SpinAxis(1), silent),
     row("2", &[(Up, Key::Num2)], "spin about axis 2 (middle moment)", Command::SpinAxis(2), silent),
     row("3", &[(Up, Key::Num3)], "spin about axis 3 (largest moment)", Command::SpinAxis(3), silent),
@@ -92,7 +96,10 @@ pub static BINDINGS: &[Binding] = &[
             Theme::Light => "light",
         })
     }),
-    row("Tab", &[(Up, Key::Tab)], "panel", Command::TogglePanel, |look| Some(on_off(look.panel_shown))),
+    row("L", &[(Up, Key::L)], "names in the picture", Command::ToggleLabels, |look| Some(on_off(look.view.labels))),
+    row("S", &[(Up, Key::S)], "text of the scene", Command::ToggleSlide, |look| Some(on_off(look.shown.slide))),
+    row("G", &[(Up, Key::G)], "graphs", Command::ToggleCharts, |look| Some(on_off(look.shown.charts))),
+    row("Tab", &[(Up, Key::Tab)], "panel", Command::TogglePanel, |look| Some(on_off(look.shown.panel))),
     row("F6", &[(Up, Key::F6)], "keyboard into the panel (Esc leaves)", Command::FocusPanel, silent),
     row("F11", &[(Up, Key::F11)], "full screen", Command::ToggleFullscreen, |look| Some(on_off(look.fullscreen))),
     row("F12", &[(Up, Key::F12)], "write the picture", Command::Picture { transparent: false }, silent),
@@ -103,6 +110,11 @@ pub static BINDINGS: &[Binding] = &[
         Command::Picture { transparent: true },
         silent,
     ),
+    row("Ctrl+C", &[(Control, Key::C)], "copy as command", Command::CopyCommand, silent),
+    row("Ctrl+S", &[(Control, Key::S)], "save the scene", Command::SaveScene, silent),
+    row("Ctrl +", &[(Control, Key::Plus), (Control, Key::Equals)], "larger text", Command::TextSize(1.1), silent),
+    row("Ctrl −", &[(Control, Key::Minus)], "smaller text", Command::TextSize(1.0 / 1.1), silent),
+    row("Ctrl 0", &[(Control, Key::Num0)], "usual text", Command::TextSize(0.0), silent),
     row("H, F1", &[(Up, Key::H), (Any, Key::F1), (Any, Key::Questionmark)], "this help", Command::ToggleHelp, silent),
 ];
 
@@ -118,21 +130,26 @@ pub fn keys_of(command: &Command) -> Option<&'static str> {
 pub fn take_commands(input: &mut RawInput, widget_has_keyboard: bool) -> Vec<Command> {
     let mut commands = Vec::new();
     input.events.retain(|event| {
+        if *event == Event::Copy && !widget_has_keyboard {
+            commands.push(Command::CopyCommand);
+            return false;
+        }
         let Event::Key { key, pressed, repeat, modifiers, .. } = event else { return true };
-        if modifiers.ctrl || modifiers.alt || modifiers.command {
+        if modifiers.alt {
             return true;
         }
         let is_function_key = matches!(key, Key::F1 | Key::F6 | Key::F11 | Key::F12 | Key::PageUp | Key::PageDown);
-        if widget_has_keyboard && !is_function_key {
+        if widget_has_keyboard && !is_function_key && !modifiers.command {
             return true;
         }
         let found = BINDINGS.iter().find(|binding| {
-            binding.chords.iter().any(|(shift, bound)| {
+            binding.chords.iter().any(|(held, bound)| {
                 bound == key
-                    && match shift {
-                        Up => !modifiers.shift,
-                        Down => modifiers.shift,
-                        Any => true,
+                    && match held {
+                        Up => !modifiers.shift && !modifiers.command,
+                        Down => modifiers.shift && !modifiers.command,
+                        Any => !modifiers.command,
+                        Control => modifiers.command,
                     }
             })
         });

@@ -2,6 +2,7 @@
 
 use egui::{ComboBox, Ui};
 
+use super::charts::method_text;
 use super::widgets::{NumberRow, section};
 use super::{Command, Look};
 use crate::physics::METHODS;
@@ -24,6 +25,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     });
     let label = format!("method: {}", scene.method.label);
     shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &label));
+    compare(ui, look, commands);
     let mut milliseconds = scene.step * 1e3;
     let step = NumberRow {
         label: "step",
@@ -35,4 +37,31 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     if step.ui(ui, &mut milliseconds).changed() && milliseconds > 0.0 {
         commands.push(edit(MotionFile { step: Some(milliseconds * 1e-3), ..scene.file.motion.clone() }));
     }
+}
+
+/// Which methods run beside it from the same start.
+fn compare(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    let scene = look.scene;
+    let count = scene.compare.len();
+    let name = if count == 0 { "compare with…".to_owned() } else { format!("compared with {count} more") };
+    let is_dark = ui.visuals().dark_mode;
+    let width = ui.available_width();
+    let close = egui::PopupCloseBehavior::CloseOnClickOutside;
+    let combo = ComboBox::from_id_salt("compare").width(width).selected_text(&name).close_behavior(close);
+    let shown = combo.show_ui(ui, |ui| {
+        for method in METHODS.iter().filter(|method| method.name != scene.method.name) {
+            let mut is_on = scene.compare.iter().any(|other| other.name == method.name);
+            if ui.checkbox(&mut is_on, method_text(method, is_dark)).changed() {
+                let mut compare: Vec<String> = scene.compare.iter().map(|other| other.name.to_owned()).collect();
+                if is_on {
+                    compare.push(method.name.to_owned());
+                } else {
+                    compare.retain(|other| other != method.name);
+                }
+                let motion = MotionFile { compare, ..scene.file.motion.clone() };
+                commands.push(Command::Edit(Box::new(SceneFile { motion, ..scene.file.clone() })));
+            }
+        }
+    });
+    shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &name));
 }

@@ -1,15 +1,19 @@
 //! The panels: they read what there is and return the [`Command`]s that the user gave.
 
 mod body;
+mod charts;
 mod command;
 mod help;
 mod icons;
 pub mod keys;
+mod look;
 mod method;
 pub mod numbers;
 mod readouts;
+mod slide;
 mod spin;
 pub mod style;
+mod timeline;
 mod transport;
 mod viewport;
 mod widgets;
@@ -17,49 +21,34 @@ mod widgets;
 use egui::{ComboBox, Frame, Margin, Panel, Rect, RichText, ScrollArea, Ui};
 
 pub use command::{Command, Pixels};
+pub use look::{Look, Preview, Shown};
 pub use spin::Spin;
+pub use timeline::Timeline;
 pub use transport::SPEED_POWERS;
-
-use crate::scene::{Scene, View};
-use crate::sim::Simulation;
-
-/// What the panels see.
-#[derive(Clone, Copy, Debug)]
-pub struct Look<'a> {
-    /// The running simulation.
-    pub sim: &'a Simulation,
-    /// Its scene.
-    pub scene: &'a Scene,
-    /// How it is looked at.
-    pub view: &'a View,
-    /// Titles of the scenes that can be gone through.
-    pub titles: &'a [String],
-    /// Which of them is open, if any.
-    pub open: Option<usize>,
-    /// Simulated seconds a real second, as measured while playing.
-    pub real_time_factor: Option<f64>,
-    /// Whether the panel is shown.
-    pub panel_shown: bool,
-    /// Whether the help sheet is shown.
-    pub help_shown: bool,
-    /// Whether the window fills the screen.
-    pub fullscreen: bool,
-    /// A sentence for the user about what was last done or refused.
-    pub message: Option<&'a str>,
-}
 
 /// What came of showing the panels.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
+pub struct Outcome {
     /// What the user asked for.
     pub commands: Vec<Command>,
     /// Where the picture is (points).
     pub picture: Rect,
 }
 
+/// The two halves of the panel: few enough things at a time that nothing has to be scrolled.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Tab {
+    #[default]
+    Motion,
+    Methods,
+}
+
 /// All panels.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Panels {
+    charts: charts::Charts,
+    viewport: viewport::Viewport,
+    tab: Tab,
     /// Whether the keyboard's focus is to move into the panel.
     focus_wanted: bool,
 }
@@ -71,28 +60,36 @@ impl Panels {
     }
 
     /// Shows everything around and over the picture.
-    pub fn ui(&mut self, ui: &mut Ui, look: &Look<'_>) -> Shown {
+    pub fn ui(&mut self, ui: &mut Ui, look: &Look<'_>) -> Outcome {
         let mut commands = Vec::new();
-        if look.panel_shown {
+        let fill = ui.visuals().panel_fill;
+        if look.shown.panel {
             self.panel(ui, look, &mut commands);
-            let frame = Frame::new().fill(ui.visuals().panel_fill).inner_margin(Margin::symmetric(16, 6));
-            Panel::bottom("transport").frame(frame).show_separator_line(false).exact_size(56.0).show(ui, |ui| {
-                transport::show(ui, look, &mut commands);
-            });
+            let frame = Frame::new().fill(fill).inner_margin(Margin { left: 16, right: 16, top: 6, bottom: 4 });
+            let strip = Panel::bottom("transport").frame(frame).show_separator_line(false);
+            strip.exact_size(84.0).show(ui, |ui| transport::show(ui, look, &mut commands));
         }
-        let picture = viewport::show(ui, &mut commands);
+        if look.shown.charts {
+            let frame = Frame::new().fill(fill).inner_margin(Margin { left: 16, right: 16, top: 6, bottom: 0 });
+            let strip = Panel::bottom("charts").frame(frame).show_separator_line(false);
+            strip.exact_size(190.0).show(ui, |ui| self.charts.ui(ui, look, &mut commands));
+        }
+        if look.shown.slide {
+            slide::show(ui, look);
+        }
+        let picture = self.viewport.ui(ui, look, &mut commands);
         if let Some(message) = look.message {
             message_ui(ui, picture, message);
         }
-        if look.help_shown {
+        if look.shown.help {
             help::show(ui, look, &mut commands);
         }
-        Shown { commands, picture }
+        Outcome { commands, picture }
     }
 
     fn panel(&mut self, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-        let frame =
-            Frame::new().fill(ui.visuals().panel_fill).inner_margin(Margin { left: 18, right: 8, top: 14, bottom: 10 });
+        let margin = Margin { left: 18, right: 8, top: 14, bottom: 10 };
+        let frame = Frame::new().fill(ui.visuals().panel_fill).inner_margin(margin);
         let panel = Panel::right("controls").frame(frame).resizable(false).show_separator_line(false);
         panel.exact_size(style::PANEL_WIDTH).show(ui, |ui| {
             ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
@@ -102,10 +99,25 @@ impl Panels {
                 if std::mem::take(&mut self.focus_wanted) {
                     title.request_focus();
                 }
-                body::show(ui, look, commands);
-                spin::show(ui, look, commands);
-                method::show(ui, look, commands);
-                readouts::show(ui, look);
+                let tabs = [
+                    (Tab::Motion, "Motion", "The body and how it starts"),
+                    (Tab::Methods, "Methods", "How the motion is followed, and how well"),
+                ];
+                if let Some(tab) = widgets::choice(ui, Some(self.tab), &tabs) {
+                    self.tab = tab;
+                }
+                match self.tab {
+                    Tab::Motion => {
+                        body::show(ui, look, commands);
+                        spin::show(ui, look, commands);
+                        readouts::motion(ui, look);
+                    }
+                    Tab::Methods => {
+                        method::show(ui, look, commands);
+                        readouts::errors(ui, look);
+                        footer(ui, commands);
+                    }
+                }
             });
         });
     }
@@ -114,7 +126,7 @@ impl Panels {
 fn scene_picker(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) -> egui::Response {
     let title = look.open.and_then(|open| look.titles.get(open)).map_or(look.scene.file.title.as_str(), String::as_str);
     let text = RichText::new(if title.is_empty() { "Own scene" } else { title }).size(18.0).strong();
-    let combo = ComboBox::from_id_salt("scene").width(ui.available_width()).selected_text(text);
+    let combo = ComboBox::from_id_salt("scene").width(ui.available_width()).height(420.0).selected_text(text);
     let shown = combo.show_ui(ui, |ui| {
         for (index, title) in look.titles.iter().enumerate() {
             if ui.selectable_label(look.open == Some(index), title).clicked() {
@@ -122,10 +134,29 @@ fn scene_picker(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) -> eg
             }
         }
     });
-    shown
-        .response
-        .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, format!("scene: {title}")));
+    let name = format!("scene: {title}");
+    shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &name));
     shown.response
+}
+
+/// What is done with a scene as a whole.
+fn footer(ui: &mut Ui, commands: &mut Vec<Command>) {
+    ui.add_space(10.0);
+    let buttons = [
+        ("graphs", Command::ToggleCharts),
+        ("picture", Command::Picture { transparent: false }),
+        ("copy as command", Command::CopyCommand),
+        ("save scene", Command::SaveScene),
+        ("keys", Command::ToggleHelp),
+    ];
+    ui.horizontal_wrapped(|ui| {
+        for (name, command) in buttons {
+            let hint = keys::keys_of(&command).unwrap_or(name);
+            if ui.button(name).on_hover_text(hint).clicked() {
+                commands.push(command);
+            }
+        }
+    });
 }
 
 /// A sentence at the top of the picture, for a while.

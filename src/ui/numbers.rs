@@ -58,3 +58,20 @@ fn superscript(digits: &str) -> String {
         })
         .collect()
 }
+
+/// One digit and a power of ten: for numbers that only matter by their size.
+#[must_use]
+pub fn scientific_short(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return scientific(value);
+    }
+    let written = format!("{value:.0e}");
+    let (digits, exponent) = written.split_once('e').unwrap_or((written.as_str(), "0"));
+    format!("{}·10{}", digits.replace('-', "−"), superscript(exponent))
+}
+
+/// `10⁻³` for -3.
+#[must_use]
+pub fn power_of_ten(exponent: f64) -> String {
+    format!("10{}", superscript(&format!("{exponent:.0}")))
+}

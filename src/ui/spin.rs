@@ -1,6 +1,7 @@
 //! The start's part of the panel: which axis, how far from it, how fast.
 
 use egui::Ui;
+use egui::{Align2, FontId, Stroke};
 use glam::DVec3;
 
 use super::widgets::{NumberRow, choice, note, section};
@@ -88,6 +89,55 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         commands.push(Command::Edit(Box::new(spin.write(&look.scene.file))));
     }
     if spin.tilt_deg == 0.0 {
-        note(ui, "Exactly on the axis: it never flips.");
+        note(ui, if spin.axis == 2 { "Exactly on the axis: it never flips." } else { "Exactly on the axis." });
     }
+    energy(ui, look, commands);
+    ui.horizontal(|ui| {
+        let button = |ui: &mut Ui, name: &str, hint: &str| ui.button(name).on_hover_text(hint).clicked();
+        if button(
+            ui,
+            "to the separatrix",
+            "A start that flips just once: the border between circling axis 1 and axis 3",
+        ) {
+            commands.push(Command::ToSeparatrix);
+        }
+        if button(ui, "poke", "Nudges the body by 1° as it turns; the momentum stays (P)") {
+            commands.push(Command::Poke);
+        }
+    });
+}
+
+/// The energy at this momentum, between a spin about axis 3 and one about axis 1, with a tick at the separatrix.
+fn energy(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    let body = &look.scene.body;
+    let moments = body.principal_moments();
+    let ell = look.scene.start.body_momentum.length();
+    if ell == 0.0 || moments.x == moments.y || moments.y == moments.z {
+        return;
+    }
+    // ℓ²/2Iᵢ, the energies of the three pure spins.
+    let [most, middle, least] = moments.to_array().map(|moment| ell / moment * ell * 0.5);
+    let now = look.scene.start.energy(body);
+    // In per cent of the way, so that every body has the same slider.
+    let percent = |energy: f64| (energy - least) / (most - least) * 100.0;
+    let mut value = percent(now);
+    let row = NumberRow {
+        label: "energy",
+        unit: " %",
+        range: (0.0, 100.0),
+        logarithmic: None,
+        hint: "Energy at this momentum: 0 % is the spin about axis 3, 100 % about axis 1; the tick is the separatrix",
+    };
+    let response = row.ui(ui, &mut value);
+    if response.changed() {
+        commands.push(Command::SetEnergy(least + value.clamp(0.0, 100.0) / 100.0 * (most - least)));
+    }
+    let slider = super::widgets::slider_track(response.rect);
+    let x = slider.left() + (percent(middle) / 100.0) as f32 * slider.width();
+    let color = super::style::warning(ui.visuals().dark_mode);
+    ui.painter().vline(x, slider.y_range().shrink(3.0), Stroke::new(2.0, color));
+    // Below the tick, kept within the row.
+    let (_, space) = ui.allocate_space(egui::vec2(ui.available_width(), 8.0));
+    let place = egui::pos2(x.clamp(slider.left() + 20.0, slider.right() - 20.0), space.top() - 6.0);
+    ui.painter().text(place, Align2::CENTER_TOP, "separatrix", FontId::proportional(11.0), color);
 }

@@ -19,6 +19,8 @@ pub fn install(ctx: &Context) {
         family.push("Hack".to_owned());
     }
     ctx.set_fonts(fonts);
+    // The keys for the size of text are in the table of keys.
+    ctx.options_mut(|options| options.zoom_with_keyboard = false);
     for theme in [egui::Theme::Dark, egui::Theme::Light] {
         ctx.style_mut_of(theme, |style| {
             style.text_styles = [
@@ -30,7 +32,7 @@ pub fn install(ctx: &Context) {
             ]
             .into();
             let spacing = &mut style.spacing;
-            spacing.item_spacing = vec2(8.0, 7.0);
+            spacing.item_spacing = vec2(8.0, 6.0);
             spacing.button_padding = vec2(8.0, 4.0);
             spacing.interact_size = vec2(32.0, 24.0);
             spacing.slider_rail_height = 4.0;
@@ -54,6 +56,12 @@ pub fn set_theme(ctx: &Context, theme: scene::Theme) {
 #[must_use]
 pub fn accent(is_dark: bool) -> Color32 {
     if is_dark { Color32::from_rgb(0x5b, 0x9d, 0xf0) } else { Color32::from_rgb(0x1f, 0x62, 0xc4) }
+}
+
+/// The ground of the picture: what belongs to it stands on the same.
+#[must_use]
+pub fn picture_ground(is_dark: bool) -> Color32 {
+    if is_dark { Color32::from_rgb(0x14, 0x17, 0x1c) } else { Color32::from_rgb(0xfb, 0xfa, 0xf7) }
 }
 
 /// Colour of a warning.

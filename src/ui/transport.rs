@@ -4,15 +4,18 @@ use egui::{Align, Layout, RichText, Slider, Ui};
 
 use super::icons::{Icon, icon_button};
 use super::keys::keys_of;
-use super::{Command, Look, numbers};
+use super::{Command, Look, numbers, timeline};
 
 /// Slowest and fastest speed, as powers of two.
 pub const SPEED_POWERS: (i32, i32) = (-6, 3);
 
 /// Shows it.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    timeline::show(ui, look, commands);
+    ui.add_space(2.0);
     let clock = &look.sim.clock;
-    ui.horizontal_centered(|ui| {
+    ui.horizontal(|ui| {
+        ui.set_height(42.0);
         let mut button = |ui: &mut Ui, icon, name: &str, size, is_on, command: Command| {
             let name = keys_of(&command).map_or(name.to_owned(), |keys| format!("{name} ({keys})"));
             if icon_button(ui, icon, &name, size, is_on).clicked() {
@@ -25,28 +28,60 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         button(ui, icon, name, 42.0, !clock.paused, Command::PlayPause);
         button(ui, Icon::StepOn, "one step on", 34.0, false, Command::Step(1));
         button(ui, Icon::Reverse, "reverse time", 34.0, clock.speed < 0.0, Command::Reverse);
-        ui.add_space(12.0);
-        ui.label(RichText::new(format!("{:.2} s", look.sim.time()).replace('-', "−")).monospace().size(22.0));
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let real = look.real_time_factor.map_or(String::new(), |factor| {
-                // Said only where the machine cannot keep up: otherwise it is the speed that is set.
-                if (factor / clock.speed - 1.0).abs() > 0.05 {
-                    format!("really {}", numbers::speed((factor * 100.0).round() / 100.0))
-                } else {
-                    String::new()
-                }
-            });
-            let mut power = clock.speed.abs().log2();
-            ui.spacing_mut().slider_width = 130.0;
-            ui.label(RichText::new(numbers::speed(clock.speed)).monospace().size(16.0));
-            let (low, high) = SPEED_POWERS;
-            let slider = Slider::new(&mut power, f64::from(low)..=f64::from(high)).step_by(1.0).show_value(false);
-            let name = ui.label("speed");
-            let slid = ui.add(slider).labelled_by(name.id).on_hover_text("simulated seconds a real second (+ −)");
-            if slid.changed() {
-                commands.push(Command::SetSpeed(power.exp2()));
+        if look.timeline.first_flip.is_some() {
+            button(ui, Icon::Next, "to the next flip", 34.0, false, Command::NextFlip);
+        }
+        ui.add_space(8.0);
+        let time = format!("{:.2} s", look.sim.time()).replace('-', "−");
+        ui.add_sized([118.0, 30.0], egui::Label::new(RichText::new(time).monospace().size(22.0)).halign(Align::Min));
+        flips(ui, look);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| speed(ui, look, commands));
+    });
+}
+
+fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    let speed = look.sim.clock.speed;
+    let text = RichText::new(numbers::speed(speed)).monospace().size(16.0);
+    ui.add_sized([58.0, 24.0], egui::Label::new(text).halign(Align::Max));
+    let mut power = speed.abs().log2();
+    ui.spacing_mut().slider_width = 110.0;
+    let (low, high) = SPEED_POWERS;
+    let slider = Slider::new(&mut power, f64::from(low)..=f64::from(high)).step_by(1.0).show_value(false);
+    let slid = ui.add(slider).on_hover_text("simulated seconds a real second (+ −)");
+    if slid.labelled_by(ui.label("speed").id).changed() {
+        commands.push(Command::SetSpeed(power.exp2()));
+    }
+    // Said only where the machine cannot keep up: otherwise it is the speed that is set.
+    if let Some(factor) = look.real_time_factor
+        && (factor / speed - 1.0).abs() > 0.05
+    {
+        ui.label(RichText::new(format!("really {factor:.2}×").replace('-', "−")).weak());
+    }
+}
+
+/// How often it flips and when next.
+fn flips(ui: &mut Ui, look: &Look<'_>) {
+    let words = |text: String| RichText::new(text).size(14.0);
+    let seconds = |time: f64| format!("{} s", numbers::significant(time, 3));
+    let next = look.timeline.next_flip(look.sim.time(), look.sim.clock.speed < 0.0);
+    ui.vertical(|ui| {
+        ui.spacing_mut().item_spacing.y = 1.0;
+        ui.add_space(3.0);
+        match (next, look.timeline.period) {
+            (Some(next), _) => {
+                let wait = (next - look.sim.time()).abs();
+                ui.label(words(format!("flip {} in {:.1} s", look.flips.count() + 1, wait)));
             }
-            ui.label(RichText::new(real).weak());
-        });
+            (None, _) if look.timeline.first_flip.is_some() => {
+                ui.label(words("no flip comes any more".to_owned()));
+            }
+            _ => {
+                ui.label(words("it does not flip".to_owned()));
+            }
+        }
+        if let Some(period) = look.timeline.period {
+            let measured = look.flips.between().map_or(String::new(), |time| format!(", measured {}", seconds(time)));
+            ui.label(words(format!("every {}{measured}", seconds(period))).weak());
+        }
     });
 }

@@ -1,41 +1,85 @@
-//! The picture's place in the window: dragging and the wheel over it move its cameras.
+//! The picture's place in the window: dragging and the wheel over it move its cameras, a click picks a start.
 
-use egui::{PointerButton, Pos2, Rect, Sense, Ui, Vec2};
+use egui::{Color32, PointerButton, Pos2, Rect, Sense, Stroke, Ui, Vec2};
 
-use super::{Command, command::Pixels};
+use super::{Command, Look, command::Pixels, style};
 
 /// How much one point of wheel movement zooms.
 const ZOOM_PER_POINT: f32 = 0.0025;
 
-/// Takes the rest of the window and gives its rectangle (points).
-pub(super) fn show(ui: &mut Ui, commands: &mut Vec<Command>) -> Rect {
-    let rect = ui.available_rect_before_wrap();
-    let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
-    response.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, "the body in the world and in its own frame")
-    });
-    let scale = ui.ctx().pixels_per_point();
-    let pixels = |v: Vec2| Pixels::new(v.x, v.y) * scale;
-    let within = |p: Pos2| pixels(p - rect.min);
-    if response.dragged()
-        && let Some(pointer) = response.interact_pointer_pos()
-    {
-        let by = response.drag_delta();
-        // The view that the drag began in keeps it, also where the pointer leaves that view.
-        let origin = ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer);
-        let shift = ui.input(|input| input.modifiers.shift);
-        if by != Vec2::ZERO {
-            let (at, by) = (within(origin), pixels(by));
-            let pans = shift || !response.dragged_by(PointerButton::Primary);
-            commands.push(if pans { Command::Pan { at, by } } else { Command::Orbit { at, by } });
+/// The picture's place.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Viewport {
+    pointer: Option<Pixels>,
+}
+
+impl Viewport {
+    /// Takes the rest of the window and gives its rectangle (points).
+    pub(super) fn ui(&mut self, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) -> Rect {
+        let rect = ui.available_rect_before_wrap();
+        let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
+        response.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, "the body in the world and in its own frame")
+        });
+        let scale = ui.ctx().pixels_per_point();
+        let pixels = |v: Vec2| Pixels::new(v.x, v.y) * scale;
+        let within = |p: Pos2| pixels(p - rect.min);
+        if response.dragged()
+            && let Some(pointer) = response.interact_pointer_pos()
+        {
+            let by = response.drag_delta();
+            // The view that the drag began in keeps it, also where the pointer leaves that view.
+            let origin = ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer);
+            let shift = ui.input(|input| input.modifiers.shift);
+            if by != Vec2::ZERO {
+                let (at, by) = (within(origin), pixels(by));
+                let pans = shift || !response.dragged_by(PointerButton::Primary);
+                commands.push(if pans { Command::Pan { at, by } } else { Command::Orbit { at, by } });
+            }
+        }
+        if let Some(pointer) = response.hover_pos() {
+            let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+            let by = (scroll * ZOOM_PER_POINT).exp() * pinch;
+            if by != 1.0 {
+                commands.push(Command::Zoom { at: within(pointer), by });
+            }
+        }
+        if response.clicked()
+            && let Some(pointer) = response.interact_pointer_pos()
+        {
+            commands.push(Command::Pick(within(pointer)));
+        }
+        let pointer = response.hover_pos().filter(|_| !response.dragged()).map(within);
+        if pointer != self.pointer {
+            self.pointer = pointer;
+            commands.push(Command::Hover(pointer));
+        }
+        preview(ui, rect, scale, look);
+        rect
+    }
+}
+
+/// The polhode that a click would start, dashed where it lies behind the sphere.
+fn preview(ui: &Ui, rect: Rect, scale: f32, look: &Look<'_>) {
+    let Some(preview) = look.preview else { return };
+    let at = |p: &Pixels| rect.min + Vec2::new(p.x, p.y) / scale;
+    let is_dark = ui.visuals().dark_mode;
+    let front = Stroke::new(2.0, if is_dark { Color32::WHITE } else { Color32::BLACK });
+    let behind = Stroke::new(1.0, front.color.gamma_multiply(0.45));
+    let painter = ui.painter().with_clip_rect(rect);
+    for (index, pair) in preview.path.windows(2).enumerate() {
+        if let [(from, is_front), (to, _)] = pair
+            && (*is_front || index % 2 == 0)
+        {
+            painter.line_segment([at(from), at(to)], if *is_front { front } else { behind });
         }
     }
-    if let Some(pointer) = response.hover_pos() {
-        let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
-        let by = (scroll * ZOOM_PER_POINT).exp() * pinch;
-        if by != 1.0 {
-            commands.push(Command::Zoom { at: within(pointer), by });
-        }
-    }
-    rect
+    painter.circle(at(&preview.at), 5.0, style::accent(is_dark), front);
+    painter.text(
+        at(&preview.at) + Vec2::new(12.0, -12.0),
+        egui::Align2::LEFT_BOTTOM,
+        preview.words,
+        egui::FontId::proportional(15.0),
+        front.color,
+    );
 }

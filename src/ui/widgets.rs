@@ -5,9 +5,9 @@ use egui::{Align, Button, DragValue, Layout, Response, RichText, Slider, Ui, vec
 use super::numbers::{significant, trimmed};
 
 /// Width of the labels in front of sliders (points).
-const LABEL_WIDTH: f32 = 62.0;
+const LABEL_WIDTH: f32 = 56.0;
 /// Width of the numbers behind them (points).
-const VALUE_WIDTH: f32 = 84.0;
+const VALUE_WIDTH: f32 = 92.0;
 
 /// A label, a slider and a number with its unit, in one line.
 #[derive(Clone, Copy, Debug)]
@@ -91,11 +91,17 @@ pub(super) fn choice<T: Copy + PartialEq>(ui: &mut Ui, chosen: Option<T>, option
 
 /// The heading of a part of the panel, with air above it.
 pub(super) fn section(ui: &mut Ui, name: &str) {
-    ui.add_space(8.0);
+    ui.add_space(6.0);
     ui.label(RichText::new(name).strong().size(16.0));
 }
 
 /// A small sentence in a soft colour.
 pub(super) fn note(ui: &mut Ui, text: impl Into<String>) {
     ui.label(RichText::new(text).small().weak());
+}
+
+/// Where the middle of the handle moves, in a row that spans slider and number: it stays within by its own radius.
+pub(super) fn slider_track(row: egui::Rect) -> egui::Rect {
+    let right = row.right() - VALUE_WIDTH - 8.0;
+    egui::Rect::from_min_max(row.min, egui::pos2(right, row.bottom())).shrink2(vec2(row.height() / 2.5, 0.0))
 }

@@ -3,10 +3,11 @@
 use std::fmt::Write as _;
 
 use super::format::{escape, time};
-use super::svg::{STYLE, WIDTH};
+use super::svg::{SIZE, STYLE};
 use crate::physics::METHODS;
 use crate::report::{CLOSED_FORM, Report};
 
+const WIDTH: f64 = SIZE.0;
 const LEFT: f64 = 150.0;
 const RIGHT: f64 = 130.0;
 const TOP: f64 = 62.0;
@@ -39,7 +40,7 @@ pub fn cost(report: &Report) -> Bars {
             label: row.method.to_owned(),
             colour: METHODS.iter().position(|method| method.name == row.method).unwrap_or(0),
             seconds: row.timing.seconds,
-            spread: (row.timing.seconds_min, row.timing.seconds_max),
+            spread: (row.timing.seconds_lower, row.timing.seconds_upper),
             remark: format!("{}{evaluation}", time(row.timing.seconds)),
         }
     });

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::report::Report;
 
-const HEADER: &str = "case,method,step,t,steps,seconds,seconds_min,seconds_max,repeats,ns_per_step,prepare_seconds,\
+const HEADER: &str = "case,method,step,t,steps,seconds,seconds_min,seconds_max,seconds_lower,seconds_upper,repeats,ns_per_step,prepare_seconds,\
 attitude_error,energy_error,momentum_error,orthogonality_error,reference\n";
 
 /// The rows with a header line; shortest decimals that read back to the same f64.
@@ -16,7 +16,7 @@ pub fn write(report: &Report) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
-            "{},{},{:?},{:?},{},{:?},{:?},{:?},{},{:?},{:?},{:?},{:?},{:?},{:?},{}",
+            "{},{},{:?},{:?},{},{:?},{:?},{:?},{:?},{:?},{},{:?},{:?},{:?},{:?},{:?},{:?},{}",
             quoted(&row.case),
             row.method,
             row.step,
@@ -25,6 +25,8 @@ pub fn write(report: &Report) -> String {
             timing.seconds,
             timing.seconds_min,
             timing.seconds_max,
+            timing.seconds_lower,
+            timing.seconds_upper,
             timing.repeats,
             row.ns_per_step,
             row.prepare_seconds,

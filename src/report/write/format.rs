@@ -33,6 +33,13 @@ pub fn time(seconds: f64) -> String {
     format!("{value:.digits$} {unit}")
 }
 
+/// A factor: one decimal below a hundred, none above.
+#[must_use]
+pub fn times(factor: f64) -> String {
+    let digits = usize::from(factor < 99.95);
+    format!("{factor:.digits$}")
+}
+
 /// A power of ten with a raised exponent.
 #[must_use]
 pub fn power_of_ten(exponent: i32) -> String {

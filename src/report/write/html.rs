@@ -14,7 +14,7 @@ const COMPARED_AT: f64 = 1e-6;
 
 const PAGE_STYLE: &str = "\
 *{box-sizing:border-box}html{color-scheme:light dark;-webkit-text-size-adjust:100%}
-body{margin:0 auto;padding:2.5rem 1.25rem 5rem;max-width:60rem;background:var(--paper);color:var(--ink);\
+body{margin:0 auto;padding:2.5rem 1.25rem 5rem;max-width:66rem;background:var(--paper);color:var(--ink);\
 font:16px/1.55 system-ui,\"Segoe UI\",\"Helvetica Neue\",sans-serif}
 h1{font-size:1.9rem;line-height:1.2;margin:0 0 .3rem;font-weight:650}h2{font-size:1.3rem;margin:3.2rem 0 .6rem;font-weight:650}
 h3{font-size:1.05rem;margin:1.8rem 0 .4rem}p{margin:.6rem 0;max-width:46rem}ul{max-width:46rem;padding-left:1.2rem}li{margin:.25rem 0}
@@ -27,12 +27,14 @@ figure{margin:1.2rem 0 1.6rem}figure svg{display:block;width:100%;height:auto}fi
 th,td{padding:.28rem .7rem;text-align:right;white-space:nowrap;border-bottom:1px solid var(--faint)}
 th{font-weight:600;border-bottom:1px solid var(--rule);vertical-align:bottom}
 th:first-child,td:first-child{text-align:left;padding-left:0;position:sticky;left:0;background:var(--paper)}
-td.words{text-align:left;white-space:normal;min-width:16rem}td.number{font-family:ui-monospace,\"SF Mono\",\"DejaVu Sans Mono\",monospace;font-size:.8rem}
+td.words,th.words{text-align:left}td.words{white-space:normal;min-width:16rem}.growth td.words{min-width:9rem}td.number{font-family:ui-monospace,\"SF Mono\",\"DejaVu Sans Mono\",monospace;font-size:.8rem}
 .good{color:var(--good)}.bad{color:var(--bad);font-weight:700}.none{color:var(--soft)}
-.hard td,.hard th{padding:.25rem .45rem;font-size:.78rem}
+.hard td,.hard th{padding:.25rem .5rem;font-size:.76rem}.hard th{white-space:normal}.hard th:first-child,.hard td:first-child{padding-left:0}\
+.hard td.number{font-size:.72rem;line-height:1.35}.hard small{color:var(--soft);font-weight:400;font-size:.92em}
 details{margin:.5rem 0}summary{cursor:pointer;padding:.3rem 0;border-bottom:1px solid var(--faint)}
-@media print{body{max-width:none;padding:0;font-size:10.5pt}h2{break-after:avoid}figure,tr{break-inside:avoid}nav{display:none}\
-.scroll{overflow:visible}td,th{white-space:normal}}
+@media print{body{max-width:none;padding:0;font-size:9.5pt}h2{break-after:avoid;margin-top:1.6rem}figure,tr{break-inside:avoid}nav{display:none}\
+.scroll{overflow:visible}table{font-size:7.5pt}td,th{padding:.15rem .35rem}.hard td,.hard th{font-size:6pt;padding:.1rem .25rem}\
+.hard td.number,td.number{font-size:inherit}figure svg{max-height:10.5cm}.grid2{grid-template-columns:1fr 1fr}}
 ";
 
 /// The page.
@@ -93,8 +95,11 @@ fn figure(svg: &str, caption: &str) -> String {
 /// A table: its head, and rows of cells, each with a class.
 pub(super) fn table(class: &str, head: &[&str], rows: &[Vec<(&str, String)>]) -> String {
     let mut html = format!("<div class=\"scroll\"><table class=\"{class}\"><thead><tr>");
-    for cell in head {
-        let _ = write!(html, "<th scope=\"col\">{}</th>", escape(cell));
+    for (i, cell) in head.iter().enumerate() {
+        // A heading stands as the cells below it do.
+        let class = rows.first().and_then(|row| row.get(i)).map_or("", |cell| cell.0);
+        let class = if class == "words" { class } else { "" };
+        let _ = write!(html, "<th scope=\"col\" class=\"{class}\">{}</th>", escape(cell));
     }
     html.push_str("</tr></thead>\n<tbody>\n");
     for row in rows {
@@ -202,7 +207,8 @@ fn long_run(report: &Report) -> String {
 
 fn large_steps(report: &Report) -> String {
     let caption = "A ring marks the largest step up to which the first five flips all come at their times, within a tenth of the time \
-                   between two. A curve that ends early belongs to a method that refused larger steps, and said so.";
+                   between two. A curve that ends early belongs to a method that refused larger steps, and said so. The ring and the error are different things: \
+                   a body may flip at the right times and yet point the wrong way.";
     sections::LARGE_STEPS.to_owned()
         + &figure(&plots::large_steps(report).inline(), caption)
         + &sections::large_steps(report)

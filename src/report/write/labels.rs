@@ -1,7 +1,7 @@
 //! Where the names of curves go: beside a point of the curve, clear of other names and of the curves.
 
 /// Width of a character on average, and height of a line (px at 12 px).
-const CHARACTER: f64 = 6.9;
+const CHARACTER: f64 = 7.4;
 const LINE: f64 = 14.0;
 /// Distance from the point.
 const GAP: f64 = 9.0;

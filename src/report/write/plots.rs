@@ -1,9 +1,10 @@
 //! Which plots a report has.
 
 use super::bars;
-use super::svg::{Axis, Guide, Look, Plot, Scale, Series};
+use super::svg::{Axis, Guide, Look, Plot, SIZE, SMALL, Scale, Series};
 use crate::physics::METHODS;
 use crate::report::cases::Errors;
+use crate::report::long_run::{INVARIANT_LOST, LOST};
 use crate::report::{CaseRow, Report};
 
 /// Smallest error drawn: anything below lies on the axis.
@@ -12,6 +13,8 @@ const SMALLEST_ERROR: f64 = 1e-16;
 const SMALLEST_INVARIANT: f64 = 1e-17;
 /// Orders of the guides.
 const ORDERS: [f64; 3] = [1.0, 2.0, 4.0];
+/// A long run of fewer samples shows each of them.
+const FEW_SAMPLES: usize = 12;
 /// Points that a distribution is drawn with.
 const DISTRIBUTION_POINTS: usize = 120;
 
@@ -88,7 +91,7 @@ pub fn work_precision(report: &Report, case: &CaseRow) -> Plot {
         .map(|method| {
             let rows = || report.rows.iter().filter(|row| row.case == case.name && row.method == method.name);
             let points = rows().map(|row| (row.timing.seconds, row.errors.attitude_error)).collect();
-            let spread = rows().map(|row| (row.timing.seconds_min, row.timing.seconds_max)).collect();
+            let spread = rows().map(|row| (row.timing.seconds_lower, row.timing.seconds_upper)).collect();
             Series { spread, ..method_series(report, method.name, points) }
         })
         .collect();
@@ -118,7 +121,14 @@ pub fn work_precision(report: &Report, case: &CaseRow) -> Plot {
     let times = series.iter().flat_map(|series| series.points.iter().map(|point| point.0));
     let x = Axis { scale: Scale::Seconds, ..Axis::decades("time to solution", times, (1e-7, 1e-3)) };
     let y = errors_axis("attitude error (rad)", &series);
-    Plot { title: format!("{}: {} s of motion", case.name, case.t), guides: guides(&x, &y, -1.0), x, y, series }
+    Plot {
+        title: format!("{}: {} s of motion", case.name, case.t),
+        guides: guides(&x, &y, -1.0),
+        x,
+        y,
+        series,
+        size: SIZE,
+    }
 }
 
 /// Step against error on one case.
@@ -164,28 +174,33 @@ fn steps(title: String, series: Vec<Series>) -> Plot {
     let values = series.iter().flat_map(|series| series.points.iter().map(|point| point.0));
     let x = Axis::decades("angle turned in a step, |Ω|h (rad)", values, (1e-3, 1.0));
     let y = errors_axis("attitude error (rad)", &series);
-    Plot { title, guides: guides(&x, &y, 1.0), x, y, series }
+    Plot { title, guides: guides(&x, &y, 1.0), x, y, series, size: SIZE }
 }
 
 /// The four errors of the long run, with the names of their files.
 #[must_use]
 pub fn long_run(report: &Report) -> Vec<(&'static str, Plot)> {
     type Error = fn(&Errors) -> f64;
-    let kinds: [(&str, &str, &str, Error); 4] = [
-        ("attitude", "Attitude", "attitude error (rad)", |errors| errors.attitude_error),
-        ("energy", "Energy", "energy error (relative)", |errors| errors.energy_error),
-        ("momentum", "World momentum", "momentum error (relative)", |errors| errors.momentum_error),
-        ("orthogonality", "Staying a rotation", "|RᵀR − 1|", |errors| errors.orthogonality_error),
+    let kinds: [(&str, &str, &str, Error, f64); 4] = [
+        ("attitude", "Attitude", "attitude error (rad)", |errors| errors.attitude_error, LOST),
+        ("energy", "Energy", "energy error (relative)", |errors| errors.energy_error, INVARIANT_LOST),
+        ("momentum", "World momentum", "momentum error (relative)", |errors| errors.momentum_error, INVARIANT_LOST),
+        ("orthogonality", "Staying a rotation", "|RᵀR − 1|", |errors| errors.orthogonality_error, INVARIANT_LOST),
     ];
     kinds
         .into_iter()
-        .map(|(name, title, label, error)| {
+        .map(|(name, title, label, error, lost)| {
             let series: Vec<Series> = report
                 .long_run
                 .iter()
                 .map(|run| {
-                    let points = run.samples.iter().map(|sample| (sample.turns, error(&sample.errors))).collect();
-                    Series { has_markers: false, ..method_series(report, run.method, points) }
+                    let samples = run.samples.iter().map(|sample| (sample.turns, error(&sample.errors)));
+                    // Up to the first sample at which it is lost; what follows is noise.
+                    let mut is_lost = false;
+                    let points =
+                        samples.take_while(|point| !std::mem::replace(&mut is_lost, point.1 >= lost)).collect();
+                    let has_markers = run.samples.len() < FEW_SAMPLES;
+                    Series { has_markers, ..method_series(report, run.method, points) }
                 })
                 .collect();
             let values = series.iter().flat_map(|series| series.points.iter().map(|point| point.0));
@@ -202,7 +217,7 @@ pub fn long_run(report: &Report) -> Vec<(&'static str, Plot)> {
                     Series { points, ..series }
                 })
                 .collect();
-            (name, Plot { title: title.to_owned(), x, y, series, guides: Vec::new() })
+            (name, Plot { title: title.to_owned(), x, y, series, guides: Vec::new(), size: SMALL })
         })
         .collect()
 }
@@ -226,10 +241,12 @@ pub fn large_steps(report: &Report) -> Plot {
             Series { rings, has_markers: false, ..method_series(report, row.method, points) }
         })
         .collect();
-    let values = series.iter().flat_map(|series| series.points.iter().map(|point| point.0));
-    let x = Axis::decades("angle turned in a step, |Ω|h (rad)", values, (1e-3, 3.0));
+    let x = Axis {
+        range: (1e-3, 4.0),
+        ..Axis::decades("angle turned in a step, |Ω|h (rad)", std::iter::empty(), (1e-3, 1.0))
+    };
     let y = errors_axis("attitude error after one flip (rad)", &series);
-    Plot { title: "Large steps".to_owned(), x, y, series, guides: Vec::new() }
+    Plot { title: "Large steps".to_owned(), x, y, series, guides: Vec::new(), size: SIZE }
 }
 
 /// The distribution of the error's ratio to plain second order.
@@ -256,5 +273,6 @@ pub fn augmented(report: &Report) -> Plot {
         y: Axis { label: "share of the bodies below".to_owned(), scale: Scale::Percent, range: (0.0, 1.0) },
         series,
         guides: Vec::new(),
+        size: SIZE,
     }
 }

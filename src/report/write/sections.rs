@@ -1,11 +1,10 @@
 //! The words and the tables of the page.
 
-use super::format::{escape, short, time};
+use super::format::{escape, short, time, times};
 use super::html::table;
 use crate::physics::METHODS;
 use crate::physics::methods::Keeps;
 use crate::report::long_run::Growth;
-use crate::report::peers::Faster;
 use crate::report::{CLOSED_FORM, Report};
 
 pub(super) const SUMMARY: &str = "<p class=\"soft\">Order as claimed and as measured; time of a step and its ratio to the floor, a lone sine \
@@ -29,7 +28,7 @@ small error and exact conservation are different virtues.</p>\n\
 are relative.</p>\n";
 
 pub(super) const WORK: &str = "<p>What does an error cost? Each curve is one method, from its coarsest steps (top left) to its finest. Thin \
-bars are the spread of repeated timings; dotted lines have the slope of their order. The closed form is a single point: it goes to \
+bars are the middle half of repeated timings; dotted lines have the slope of their order. The closed form is a single point: it goes to \
 the time asked for at once.</p>\n";
 
 pub(super) const ORDER: &str = "<p>The same error against the step alone. The slope is fitted between the coarse steps, where the \
@@ -40,7 +39,7 @@ pub(super) const ORDER_CAPTION: &str = "The number beside each name is the measu
 pub(super) const STEP_CAPTION: &str =
     "The same for the whole time of the case, at the points of the plot of work and precision.";
 
-pub(super) const COST: &str = "Median of the repeats, with their whole spread. The dashed line is the latency of one sine and cosine that \
+pub(super) const COST: &str = "Median of the repeats, with the spread of their middle half. The dashed line is the latency of one sine and cosine that \
 waits for the one before it: a method that calls them once a step can hardly be faster. The closed form's bar is one evaluation, at any time.";
 
 pub(super) const LARGE_STEPS: &str = "<p>A tumbling T-handle with steps up to three radians each: half a turn in one step. \
@@ -72,14 +71,14 @@ pub(super) fn costs(report: &Report) -> String {
             vec![
                 ("", row.method.to_owned()),
                 ("", time(row.timing.seconds)),
-                ("", format!("{} … {}", time(row.timing.seconds_min), time(row.timing.seconds_max))),
+                ("", format!("{} … {}", time(row.timing.seconds_lower), time(row.timing.seconds_upper))),
                 ("", format!("{:.1}", row.ratio)),
                 ("", time(row.prepare.seconds)),
                 ("words", escape(method.cost)),
             ]
         })
         .collect();
-    table("", &["method", "a step", "spread", "× floor", "preparation", "what a step does"], &rows)
+    table("", &["method", "a step", "middle half", "× floor", "preparation", "what a step does"], &rows)
 }
 
 /// What the long run is.
@@ -114,7 +113,14 @@ pub(super) fn long_caption(name: &str) -> &'static str {
 /// The laws of growth.
 pub(super) fn growth(report: &Report) -> String {
     let cell = |growth: &Growth| {
-        ("words", format!("{}<br><span class=\"soft\">{}</span>", escape(&growth.words), short(growth.largest)))
+        (
+            "words",
+            format!(
+                "{}<br><span class=\"soft\">{}</span>",
+                escape(&growth.words),
+                if growth.largest < 10.0 { short(growth.largest) } else { "beyond all bounds".to_owned() }
+            ),
+        )
     };
     let rows: Vec<_> = report
         .long_run
@@ -178,13 +184,13 @@ pub(super) fn hard(report: &Report) -> String {
                         (true, false) => ("number none", " ·"),
                     };
                     let said = row.said.as_ref().map(|said| format!("; {}", escape(said))).unwrap_or_default();
-                    (
-                        class,
-                        format!(
-                            "<span title=\"bound {bound}, {} steps, against {}{said}\">{error}{mark}</span>",
-                            row.steps, row.reference
-                        ),
-                    )
+                    let title = format!("{} steps, against {}{said}", row.steps, row.reference);
+                    let bound = if row.is_promised() && row.error.is_some() {
+                        format!("<br><small>≤ {bound}</small>")
+                    } else {
+                        String::new()
+                    };
+                    (class, format!("<span title=\"{title}\">{error}{mark}</span>{bound}"))
                 }
             }));
             cells
@@ -194,8 +200,7 @@ pub(super) fn hard(report: &Report) -> String {
         "<p>Motions chosen to break things: beside the separatrix and on it, moments that are equal or nearly so, needles and plates, sizes at \
          the ends of the numbers, times from which no step returns. Each error (rad; in the row of three-radian steps that of the energy, relative) is \
          held against a bound worked out beforehand, from the order of the method, a step of 0.01 rad and the sensitivity of the motion itself: ✓ within the \
-         bound, ✗ past it, · nothing promised, because an error of that size is what such a step must expect there. Rest the pointer on a number for its \
-         bound.</p>\n{}",
+         bound, ✗ past it, · nothing promised, because an error of that size is what such a step must expect there.</p>\n{}",
         table("hard", &head, &rows)
     )
 }
@@ -232,14 +237,7 @@ pub(super) fn augmented(report: &Report) -> String {
 
 /// Other programs' points beside the best here.
 pub(super) fn beside(report: &Report) -> String {
-    let cells = |faster: &Option<Faster>| match faster {
-        Some(faster) => [
-            ("", format!("{} {}", faster.method, time(faster.seconds))),
-            ("number", short(faster.error)),
-            ("", format!("{:.1}×", faster.times_faster)),
-        ],
-        None => [("none", "none as accurate".to_owned()), ("none", "–".to_owned()), ("none", "–".to_owned())],
-    };
+    let none = || ("none", "none as accurate".to_owned());
     let rows: Vec<_> = report
         .beside
         .iter()
@@ -252,8 +250,20 @@ pub(super) fn beside(report: &Report) -> String {
                 ("number", short(peer.error)),
                 ("", time(peer.seconds)),
             ];
-            line.extend(cells(&row.stepping));
-            line.extend(cells(&row.closed_form));
+            match &row.stepping {
+                Some(faster) => line.extend([
+                    ("", format!("{} {}", faster.method, time(faster.seconds))),
+                    ("number", short(faster.error)),
+                    ("", format!("{}×", times(faster.times_faster))),
+                ]),
+                None => line.extend([none(), none(), none()]),
+            }
+            match &row.closed_form {
+                Some(faster) => {
+                    line.extend([("", time(faster.seconds)), ("", format!("{}×", times(faster.times_faster)))]);
+                }
+                None => line.extend([none(), none()]),
+            }
             line
         })
         .collect();
@@ -264,10 +274,9 @@ pub(super) fn beside(report: &Report) -> String {
         "error",
         "time",
         "fastest stepping",
-        "error",
+        "its error",
         "faster",
         "closed form",
-        "error",
         "faster",
     ];
     format!(
@@ -315,8 +324,8 @@ pub(super) fn cases(report: &Report) -> String {
         "{}<p>Attitudes are compared with a table from 60-digit arithmetic where it has the time, and with the closed form elsewhere. The error of \
          an attitude is the angle of the rotation that takes one to the other.</p>\n\
          <p>Times are those of the integration alone, on one thread, warm; short runs are repeated within one reading of the clock, and the methods \
-         take turns, so that a busy moment of the machine falls on all of them. A time is the median of the readings; the spread is from the \
-         least to the most. |Ω| is the angular velocity at the start.</p>\n<h3>What each method claims to keep</h3>\n{}",
+         take turns, so that a busy moment of the machine falls on all of them. A time is the median of the readings, and its bar spans their middle half; the least and the most \
+         are in the files. |Ω| is the angular velocity at the start.</p>\n<h3>What each method claims to keep</h3>\n{}",
         table("", &["case", "principal moments (kg m²)", "Ω at the start (rad/s)", "t (s)", "reference"], &rows),
         table("", &["method", "momentum", "rotation", "energy", "source"], &methods)
     )

@@ -1,6 +1,6 @@
 //! What every writer says first: one line a method, and the remarks.
 
-use super::format::{short, time};
+use super::format::{short, time, times};
 use crate::physics::METHODS;
 use crate::physics::methods::Order;
 use crate::report::peers::Beside;
@@ -134,20 +134,20 @@ fn beside(report: &Report) -> Vec<String> {
     let sentence = |(peer, case): (&str, &str)| {
         let rows = || report.beside.iter().filter(|row| row.peer.peer == peer && row.peer.case == case);
         // None as soon as one point has no answer.
-        let least = |times: fn(&Beside) -> Option<f64>| {
-            rows().map(times).try_fold(f64::INFINITY, |least, next| next.map(|next| next.min(least)))
+        let least = |factor: fn(&Beside) -> Option<f64>| {
+            rows().map(factor).try_fold(f64::INFINITY, |least, next| next.map(|next| next.min(least)))
         };
         let stepping = least(|row| row.stepping.as_ref().map(|faster| faster.times_faster));
         let closed = least(|row| row.closed_form.as_ref().map(|faster| faster.times_faster));
-        let times = |least: Option<f64>| match least {
-            Some(times) => format!("at least {times:.1} times as fast"),
+        let says = |least: Option<f64>| match least {
+            Some(factor) => format!("at least {} times as fast", times(factor)),
             None => "not at every point as accurate".to_owned(),
         };
         format!(
             "Beside {peer} on {case}, at each of its {} errors: the best stepping method is {}, the closed form {}.",
             rows().count(),
-            times(stepping),
-            times(closed)
+            says(stepping),
+            says(closed)
         )
     };
     pairs.into_iter().map(sentence).collect()

@@ -8,10 +8,10 @@ use std::fmt::Write as _;
 use super::format::{escape, power_of_ten, short};
 use super::labels::{Label, place};
 
-/// Width of a plot (user units, pixels at its natural size).
-pub const WIDTH: f64 = 760.0;
-/// Height of a plot.
-pub const HEIGHT: f64 = 480.0;
+/// Width and height of a plot (user units, pixels at its natural size).
+pub const SIZE: (f64, f64) = (860.0, 520.0);
+/// The same of one of several that stand side by side.
+pub const SMALL: (f64, f64) = (560.0, 400.0);
 const LEFT: f64 = 78.0;
 const RIGHT: f64 = 96.0;
 const TOP: f64 = 40.0;
@@ -33,7 +33,7 @@ pub const STYLE: &str = "\
 .plot{font:13px system-ui,\"Segoe UI\",\"Helvetica Neue\",sans-serif;font-variant-numeric:tabular-nums}
 .plot text{fill:var(--ink)}.plot .title{font-weight:600;font-size:14px}.plot .tick{fill:var(--soft);font-size:12px}
 .plot .grid{stroke:var(--faint);stroke-width:1;fill:none}.plot .frame{stroke:var(--rule);stroke-width:1;fill:none}
-.plot .guide{stroke:var(--rule);stroke-width:1;stroke-dasharray:1 3;fill:none}.plot .guide-name{fill:var(--soft);font-size:11px;font-style:italic}
+.plot .guide{stroke:var(--soft);stroke-width:1;stroke-dasharray:2 4;opacity:.7;fill:none}.plot .guide-name{fill:var(--soft);font-size:11px;font-style:italic}
 .plot .line{fill:none;stroke-width:1.8;stroke-linejoin:round;stroke-linecap:round}.plot .whisker{stroke-width:1;opacity:.55;fill:none}
 .plot .mark{stroke-width:1.5}.plot .name{font-size:12px;font-weight:600;stroke:var(--paper);stroke-width:4px;paint-order:stroke;stroke-linejoin:round}
 .plot .ring{fill:none;stroke-width:1.6}
@@ -153,6 +153,8 @@ pub struct Plot {
     pub series: Vec<Series>,
     /// Laws behind them.
     pub guides: Vec<Guide>,
+    /// Width and height: [`SIZE`] or [`SMALL`].
+    pub size: (f64, f64),
 }
 
 impl Axis {
@@ -186,7 +188,8 @@ impl Axis {
         if !self.is_logarithmic() {
             return (0..=4).map(|i| (f64::from(i) / 4.0, Some(format!("{} %", 25 * i)))).collect();
         }
-        let (low, high) = (self.range.0.log10().round() as i32, self.range.1.log10().round() as i32);
+        let low = (self.range.0.log10() - 1e-9).ceil() as i32;
+        let high = (self.range.1.log10() + 1e-9).floor() as i32;
         let stride = (high - low).div_euclid(MOST_TICKS) + 1;
         let mut ticks = Vec::new();
         for exponent in low..=high {
@@ -231,9 +234,9 @@ impl Plot {
     /// The plot as a file of its own.
     #[must_use]
     pub fn standalone(&self) -> String {
-        let body = self.body();
+        let (body, (width, height)) = (self.body(), self.size);
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" height=\"{HEIGHT}\">\n\
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">\n\
              <style>{STYLE}</style>\n<rect width=\"100%\" height=\"100%\" style=\"fill:var(--paper)\"/>\n{body}</svg>\n"
         )
     }
@@ -241,16 +244,16 @@ impl Plot {
     /// The plot inside a page that has [`STYLE`].
     #[must_use]
     pub fn inline(&self) -> String {
-        let title = escape(&self.title);
+        let (title, (width, height)) = (escape(&self.title), self.size);
         format!(
-            "<svg class=\"plot\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-label=\"{title}\">\n{}</svg>\n",
+            "<svg class=\"plot\" viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{title}\">\n{}</svg>\n",
             self.body()
         )
     }
 
     fn at(&self, (x, y): (f64, f64)) -> (f64, f64) {
-        let width = WIDTH - LEFT - RIGHT;
-        let height = HEIGHT - TOP - BOTTOM;
+        let width = self.size.0 - LEFT - RIGHT;
+        let height = self.size.1 - TOP - BOTTOM;
         (LEFT + width * self.x.share(x), TOP + height * (1.0 - self.y.share(y)))
     }
 
@@ -263,17 +266,19 @@ impl Plot {
             escape(&self.title)
         );
         self.axes(&mut svg);
-        let mut labels = self.guides(&mut svg);
+        let guides = self.guides(&mut svg);
         let mut obstacles = Vec::new();
         for series in &self.series {
             self.curve(&mut svg, series, &mut obstacles);
         }
+        let frame = (LEFT, TOP, self.size.0 - 2.0, self.size.1 - BOTTOM);
+        let mut labels: Vec<Label> = Vec::new();
         for series in self.series.iter().filter(|series| !series.label.is_empty() && !series.points.is_empty()) {
             let points: Vec<(f64, f64)> = series.points.iter().map(|point| self.at(*point)).collect();
             let middle = points[points.len() / 2];
             let ends =
                 [points[points.len() - 1], points[0], middle, points[points.len() / 4], points[3 * points.len() / 4]];
-            let label = place(&series.label, &ends, &labels, &obstacles, (LEFT, TOP, WIDTH - 2.0, HEIGHT - BOTTOM));
+            let label = place(&series.label, &ends, &labels, &obstacles, frame);
             let _ = writeln!(
                 svg,
                 "<text class=\"name\" x=\"{:.1}\" y=\"{:.1}\" style=\"fill:{}\">{}</text>",
@@ -284,11 +289,22 @@ impl Plot {
             );
             labels.push(label);
         }
+        for (guide, places) in self.guides.iter().zip(&guides) {
+            let label = place(&guide.label, places, &labels, &obstacles, frame);
+            let _ = writeln!(
+                svg,
+                "<text class=\"guide-name\" x=\"{:.1}\" y=\"{:.1}\">{}</text>",
+                label.x,
+                label.y,
+                escape(&guide.label)
+            );
+            labels.push(label);
+        }
         svg
     }
 
     fn axes(&self, svg: &mut String) {
-        let (right, bottom) = (WIDTH - RIGHT, HEIGHT - BOTTOM);
+        let (right, bottom) = (self.size.0 - RIGHT, self.size.1 - BOTTOM);
         let (x0, y0) = (self.x.range.0, self.y.range.0);
         for (value, text) in self.x.ticks() {
             let (x, _) = self.at((value, y0));
@@ -321,37 +337,26 @@ impl Plot {
             "<text text-anchor=\"middle\" x=\"{:.1}\" y=\"{:.1}\">{}</text>\n\
              <text text-anchor=\"middle\" transform=\"translate(18,{middle:.1}) rotate(-90)\">{}</text>",
             f64::midpoint(LEFT, right),
-            HEIGHT - 14.0,
+            self.size.1 - 14.0,
             escape(&self.x.label),
             escape(&self.y.label)
         );
     }
 
-    /// Draws the laws and returns where their names stand.
-    fn guides(&self, svg: &mut String) -> Vec<Label> {
-        let mut labels = Vec::new();
+    /// Draws the laws and returns the places along each where its name may stand, from its end upwards.
+    fn guides(&self, svg: &mut String) -> Vec<Vec<(f64, f64)>> {
+        let mut places = Vec::new();
         for guide in &self.guides {
             let value = |x: f64| guide.through.1 * (x / guide.through.0).powf(guide.power);
             let inverse = |y: f64| guide.through.0 * (y / guide.through.1).powf(1.0 / guide.power);
             // From the point to where the law leaves the plot on its way down.
-            let (x, y) =
-                if guide.power < 0.0 { (self.x.range.1, self.y.range.0) } else { (self.x.range.0, self.y.range.0) };
+            let (x, y) = (if guide.power < 0.0 { self.x.range.1 } else { self.x.range.0 }, self.y.range.0);
             let end = if value(x) > y { (x, value(x)) } else { (inverse(y), y) };
             let ((x1, y1), (x2, y2)) = (self.at(guide.through), self.at(end));
             let _ = writeln!(svg, "<path class=\"guide\" d=\"M{x1:.1},{y1:.1}L{x2:.1},{y2:.1}\"/>");
-            let back = 26.0 / (x2 - x1).hypot(y2 - y1).max(26.0);
-            let (x, y) = (x2 + back * (x1 - x2), y2 + back * (y1 - y2));
-            let label = Label::new(&guide.label, x + 4.0, y + 4.0);
-            let _ = writeln!(
-                svg,
-                "<text class=\"guide-name\" x=\"{:.1}\" y=\"{:.1}\">{}</text>",
-                label.x,
-                label.y,
-                escape(&guide.label)
-            );
-            labels.push(label);
+            places.push([0.06, 0.12, 0.2, 0.3].map(|share| (x2 + share * (x1 - x2), y2 + share * (y1 - y2))).to_vec());
         }
-        labels
+        places
     }
 
     fn curve(&self, svg: &mut String, series: &Series, obstacles: &mut Vec<(f64, f64)>) {

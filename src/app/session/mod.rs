@@ -1,21 +1,21 @@
 //! What the window shows: a scene, its simulation and how they are looked at; and what each command does to them.
 
-use std::path::Path;
+mod edit;
+mod time;
 
 use web_time::{Duration, Instant};
 
-use crate::frame::Area;
+use super::command_line::{self, Base};
+use super::pick::Pane;
+use super::remember::Remembered;
 use crate::objects::{Cameras, Space, areas};
-use crate::scene::{Layout, Scene, SceneFile, Theme, presets};
-use crate::sim::{Simulation, Tick};
-use crate::ui::{Command, Look, Pixels, SPEED_POWERS, Spin};
+use crate::physics::Motion;
+use crate::scene::{Layout, Preset, Scene, SceneFile, Theme, View, presets};
+use crate::sim::{FlipWatch, History, Simulation};
+use crate::ui::{Command, Look, Pixels, Preview, Shown, Spin, Timeline};
 
 /// How long a message stays.
 const MESSAGE_TIME: Duration = Duration::from_secs(4);
-/// Steps that a change of method or step may take to come back to the same time; past that it starts over.
-const MOST_CATCHING_UP: f64 = 2e5;
-/// Longest scene file read (bytes).
-const LARGEST_FILE: u64 = 1 << 20;
 
 /// The state behind the window.
 #[derive(Debug)]
@@ -23,11 +23,20 @@ pub(super) struct Session {
     pub(super) scene: Scene,
     pub(super) sim: Simulation,
     pub(super) cameras: Cameras,
+    /// The exact motion from the scene's start.
+    motion: Motion,
+    history: History,
+    flips: FlipWatch,
+    timeline: Timeline,
+    preview: Option<Preview>,
     slides: Vec<Slide>,
-    open: Option<usize>,
     titles: Vec<String>,
+    open: Option<usize>,
+    base: Base,
     shown: Shown,
     message: Option<(String, Instant)>,
+    /// Factor on the size of the panels' text.
+    pub(super) text_size: f32,
     /// Something in the picture changed since it was drawn.
     pub(super) picture_changed: bool,
     /// Simulated time was set anew, so that its speed cannot be measured across.
@@ -36,16 +45,10 @@ pub(super) struct Session {
     pub(super) picture_size: Pixels,
 }
 
-/// What is shown besides the picture.
-#[derive(Clone, Copy, Debug)]
-struct Shown {
-    panel: bool,
-    help: bool,
-}
-
 /// A scene that can be gone to.
 #[derive(Debug)]
 struct Slide {
+    name: &'static str,
     file: SceneFile,
 }
 
@@ -59,28 +62,43 @@ pub(super) enum Request {
         /// With no background.
         transparent: bool,
     },
+    /// Puts the command that draws this picture on the clipboard.
+    CopyCommand,
     /// Moves the keyboard's focus into the panel.
     FocusPanel,
 }
 
 impl Session {
-    pub(super) fn new(scene: Scene) -> Self {
-        let slides: Vec<Slide> =
-            presets().into_iter().filter_map(|preset| Some(Slide { file: preset.read().ok()? })).collect();
+    pub(super) fn new(scene: Scene, remembered: &Remembered) -> Self {
+        let slides: Vec<Slide> = presets().into_iter().filter_map(|preset| Slide::of(&preset)).collect();
         let open = slides.iter().position(|slide| slide.file.title == scene.file.title);
-        Self {
+        let base = slides.get(open.unwrap_or(0)).map_or_else(
+            || Base { name: "flip".to_owned(), file: SceneFile::default() },
+            |slide| Base { name: slide.name.to_owned(), file: slide.file.clone() },
+        );
+        let motion = Motion::new(&scene.body, &scene.start);
+        let mut session = Self {
             sim: Simulation::new(&scene),
             cameras: Cameras::new(&scene.view),
+            motion,
+            history: History::default(),
+            flips: FlipWatch::default(),
+            timeline: Timeline { low: 0.0, high: 10.0, first_flip: None, period: None },
+            preview: None,
             titles: slides.iter().map(|slide| slide.file.title.clone()).collect(),
-            scene,
             slides,
             open,
-            shown: Shown { panel: true, help: false },
+            base,
+            scene,
+            shown: Shown { panel: remembered.panel, slide: remembered.slide, charts: remembered.charts, help: false },
             message: None,
+            text_size: remembered.text_size,
             picture_changed: true,
             time_jumped: true,
             picture_size: Pixels::ONE,
-        }
+        };
+        session.forget_the_past();
+        session
     }
 
     /// What the panels see.
@@ -89,30 +107,26 @@ impl Session {
             sim: &self.sim,
             scene: &self.scene,
             view: &self.scene.view,
+            motion: &self.motion,
+            history: &self.history,
+            flips: &self.flips,
+            timeline: &self.timeline,
+            preview: self.preview.as_ref(),
             titles: &self.titles,
             open: self.open,
             real_time_factor,
-            panel_shown: self.shown.panel,
-            help_shown: self.shown.help,
+            shown: self.shown,
             fullscreen,
             message: self.message.as_ref().map(|(text, _)| text.as_str()),
         }
     }
 
-    /// Lets real time (s) pass.
-    pub(super) fn advance(&mut self, real_seconds: f64) {
-        if self.sim.advance_frame(real_seconds) != Tick::Still {
-            self.picture_changed = true;
-        }
-        if let (Some(failure), true) = (self.sim.main().failure(), self.sim.clock.paused) {
-            let text = failure.to_string();
-            self.say(text);
-        }
-    }
-
-    /// Whether simulated time runs.
-    pub(super) fn is_playing(&self) -> bool {
-        !self.sim.clock.paused
+    /// What is kept for the next time, but for the window's own size.
+    pub(super) fn remember(&self, remembered: &mut Remembered) {
+        remembered.text_size = self.text_size;
+        remembered.panel = self.shown.panel;
+        remembered.slide = self.shown.slide;
+        remembered.charts = self.shown.charts;
     }
 
     /// Shows a sentence for a while.
@@ -132,40 +146,39 @@ impl Session {
         }
     }
 
+    /// The command that draws this picture with no window, in a picture of this size.
+    pub(super) fn as_command(&self, size: [u32; 2]) -> Option<String> {
+        command_line::shot(&self.base, &self.scene.file, &self.cameras, self.sim.time(), size)
+    }
+
     /// Does what a command says; what is left for the window is given back.
     pub(super) fn apply(&mut self, command: Command) -> Option<Request> {
         match command {
             Command::PlayPause => self.sim.clock.paused = !self.sim.clock.paused,
-            Command::Step(count) => {
-                self.sim.clock.paused = true;
-                self.sim.step(count);
-                self.picture_changed = true;
-            }
-            Command::Reverse => {
-                self.sim.clock.speed = -self.sim.clock.speed;
-                self.time_jumped = true;
-            }
+            Command::Step(count) => self.step(count),
+            Command::Reverse => self.reverse(),
             Command::Faster => self.set_speed(self.sim.clock.speed.abs() * 2.0),
             Command::Slower => self.set_speed(self.sim.clock.speed.abs() / 2.0),
             Command::SetSpeed(speed) => self.set_speed(speed),
-            Command::Restart => {
-                self.sim.restart();
-                self.moved_in_time();
-            }
-            Command::GoTo(time) => {
-                self.sim.go_to(time);
-                self.moved_in_time();
-            }
+            Command::Restart => self.restart(),
+            Command::GoTo(time) => self.go_to(time),
+            Command::NextFlip => self.go_to_next_flip(),
             Command::Edit(file) => self.edit(&file),
             Command::SpinAxis(axis) => {
                 let file = Spin { axis, ..Spin::of(&self.scene) }.write(&self.scene.file);
                 self.edit(&file);
             }
+            Command::SetEnergy(energy) => self.set_energy(energy),
+            Command::ToSeparatrix => self.go_to_separatrix(),
+            Command::Poke => self.poke(),
+            Command::Hover(at) => self.hover(at),
+            Command::Pick(at) => self.pick(at),
             Command::NextScene => self.open_slide(self.open.map_or(0, |index| index + 1)),
             // From a scene that is none of them, back is the last.
             Command::PreviousScene => self.open_slide(self.open.unwrap_or(self.slides.len()).saturating_sub(1)),
             Command::OpenScene(index) => self.open_slide(index),
             Command::OpenFile(path) => self.open_file(&path),
+            Command::SaveScene => self.save(),
             Command::Orbit { at, by } => self.move_camera(at, |camera, side| camera.orbit(by / side)),
             Command::Pan { at, by } => self.move_camera(at, |camera, side| camera.pan(by / side)),
             // A notch of the wheel is ten per cent.
@@ -189,10 +202,22 @@ impl Session {
                 self.scene.file.view.theme = Some(theme);
                 self.picture_changed = true;
             }
+            Command::ToggleLabels => {
+                let labels = !self.scene.view.labels;
+                self.scene.view.labels = labels;
+                self.scene.file.view.labels = Some(labels);
+                self.picture_changed = true;
+            }
+            Command::TextSize(factor) => {
+                self.text_size = if factor > 0.0 { (self.text_size * factor).clamp(0.5, 3.0) } else { 1.0 };
+            }
             Command::TogglePanel => self.shown.panel = !self.shown.panel,
+            Command::ToggleSlide => self.shown.slide = !self.shown.slide,
+            Command::ToggleCharts => self.shown.charts = !self.shown.charts,
             Command::ToggleHelp => self.shown.help = !self.shown.help,
             Command::ToggleFullscreen => return Some(Request::ToggleFullscreen),
             Command::Picture { transparent } => return Some(Request::Picture { transparent }),
+            Command::CopyCommand => return Some(Request::CopyCommand),
             Command::FocusPanel => {
                 self.shown.panel = true;
                 return Some(Request::FocusPanel);
@@ -201,98 +226,60 @@ impl Session {
         None
     }
 
-    fn moved_in_time(&mut self) {
-        self.time_jumped = true;
-        self.picture_changed = true;
-    }
-
-    fn set_speed(&mut self, speed: f64) {
-        let (low, high) = SPEED_POWERS;
-        let speed = speed.clamp(f64::from(low).exp2(), f64::from(high).exp2());
-        self.sim.clock.speed = speed.copysign(self.sim.clock.speed);
-        self.time_jumped = true;
-    }
-
     fn set_layout(&mut self, layout: Layout) {
         self.scene.view.layout = layout;
         self.scene.file.view.layout = Some(layout);
+        self.preview = None;
         self.picture_changed = true;
     }
 
-    /// The smaller side (pixels) of the view under a point, and its camera.
+    /// Moves the camera of the view under a point; it is also told that view's smaller side (pixels).
     fn move_camera(&mut self, at: Pixels, change: impl FnOnce(&mut crate::camera::Camera, f32) -> bool) {
         let size = self.picture_size;
-        let views: Vec<(Space, Area)> = areas(self.scene.view.layout, size.x / size.y);
+        let views = areas(self.scene.view.layout, size.x / size.y);
         let found = views.iter().find(|(_, area)| area.contains(at / size)).or(views.first());
         if let Some((space, area)) = found {
             let side = (area.extent * size).min_element().max(1.0);
             self.picture_changed |= change(self.cameras.of_mut(*space), side);
+            self.preview = None;
         }
     }
 
-    /// Takes a changed scene where it is a scene, and says what is wrong with it where it is not.
-    fn edit(&mut self, file: &SceneFile) {
-        match Scene::check(file) {
-            Ok(scene) => {
-                let is_same_motion = scene.file.body == self.scene.file.body && scene.file.spin == self.scene.file.spin;
-                let time = self.sim.time();
-                let clock = self.sim.clock;
-                self.sim = Simulation::new(&scene);
-                self.sim.clock = clock;
-                self.sim.clock.clear();
-                if is_same_motion && (time / scene.step).abs() <= MOST_CATCHING_UP {
-                    self.sim.go_to(time);
-                }
-                self.scene = scene;
-                self.moved_in_time();
-            }
-            Err(error) => self.say(error.to_string()),
-        }
+    /// The view of momentum space, where it is shown.
+    fn body_pane(&self) -> Option<Pane> {
+        let size = self.picture_size;
+        let views = areas(self.scene.view.layout, size.x / size.y);
+        let (_, area) = views.into_iter().find(|(space, _)| *space == Space::Body)?;
+        Some(Pane::new(&area, size, self.cameras.body))
     }
 
-    fn open_slide(&mut self, index: usize) {
-        let Some(file) = self.slides.get(index).map(|slide| slide.file.clone()) else { return };
-        match Scene::check(&file) {
-            Ok(scene) => {
-                self.open_scene(scene);
-                self.open = Some(index);
-            }
-            Err(error) => self.say(error.to_string()),
-        }
-    }
-
-    fn open_file(&mut self, path: &Path) {
-        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-        match read_scene(path) {
-            Ok(scene) => {
-                let warning = scene.warnings().into_iter().next();
-                self.open_scene(scene);
-                self.open = None;
-                self.say(warning.unwrap_or(name));
-            }
-            Err(why) => self.say(format!("{name}: {why}")),
-        }
-    }
-
-    /// Starts a scene. Theme and labels stay as the presenter has them, unless the scene sets them.
-    fn open_scene(&mut self, mut scene: Scene) {
-        if scene.file.view.theme.is_none() {
-            scene.view.theme = self.scene.view.theme;
-            scene.file.view.theme = self.scene.file.view.theme;
-        }
-        self.sim = Simulation::new(&scene);
-        self.cameras = Cameras::new(&scene.view);
-        self.scene = scene;
-        self.moved_in_time();
+    fn hover(&mut self, at: Option<Pixels>) {
+        let found = at.and_then(|at| {
+            let pane = self.body_pane()?;
+            Some(pane.preview(&self.scene.body, pane.sphere_under(at)?))
+        });
+        self.preview = found;
     }
 }
 
-fn read_scene(path: &Path) -> Result<Scene, String> {
-    let length = std::fs::metadata(path).map_err(|error| error.to_string())?.len();
-    if length > LARGEST_FILE {
-        return Err(format!("it is {length} bytes long, and a scene has at most {LARGEST_FILE}"));
+impl Slide {
+    fn of(preset: &Preset) -> Option<Self> {
+        Some(Self { name: preset.name, file: preset.read().ok()? })
     }
-    let text = std::fs::read_to_string(path).map_err(|error| error.to_string())?;
-    let file = SceneFile::parse(&text).map_err(|error| error.to_string())?;
-    Scene::check(&file).map_err(|error| error.to_string())
+}
+
+/// What a presenter has chosen stays from scene to scene, unless the scene itself sets it.
+fn keep_choices(view: &mut View, file: &mut SceneFile, before: &SceneFile) {
+    if file.view.theme.is_none()
+        && let Some(theme) = before.view.theme
+    {
+        view.theme = theme;
+        file.view.theme = Some(theme);
+    }
+    if file.view.labels.is_none()
+        && let Some(labels) = before.view.labels
+    {
+        view.labels = labels;
+        file.view.labels = Some(labels);
+    }
 }

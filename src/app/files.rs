@@ -1,0 +1,56 @@
+//! Files that the window writes: whole or not at all, and never over another one.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Writes a new file `stem-N.extension` in the working directory, `N` the first number that is free.
+pub(super) fn write_new(stem: &str, extension: &str, bytes: &[u8]) -> Result<PathBuf, String> {
+    let stem = slug(stem);
+    for number in 1..100_000 {
+        let path = PathBuf::from(format!("{stem}-{number}.{extension}"));
+        if !path.exists() {
+            return write_whole(&path, bytes).map(|()| std::path::absolute(&path).unwrap_or(path));
+        }
+    }
+    Err(format!("there is no free name left for {stem}"))
+}
+
+/// Writes beside the file, then renames: nobody ever sees half of it.
+pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), String> {
+    let beside = path.with_extension("part");
+    let write = || {
+        let mut file = std::fs::File::create(&beside)?;
+        file.write_all(bytes)?;
+        file.sync_all()?;
+        std::fs::rename(&beside, path)
+    };
+    write().map_err(|error: std::io::Error| {
+        // Nothing half-written stays behind; where that fails too, the first error is the one to tell.
+        let _ = std::fs::remove_file(&beside);
+        format!("{} could not be written: {error}", path.display())
+    })
+}
+
+/// A title as a file name: letters, digits and dashes.
+pub(super) fn slug(title: &str) -> String {
+    let mut slug = String::new();
+    for character in title.chars().take(60) {
+        if character.is_alphanumeric() {
+            slug.extend(character.to_lowercase());
+        } else if !slug.is_empty() && !slug.ends_with('-') {
+            slug.push('-');
+        }
+    }
+    let slug = slug.trim_end_matches('-');
+    if slug.is_empty() { "scene".to_owned() } else { slug.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_slug_is_a_file_name() {
+        assert_eq!(super::slug("The flip"), "the-flip");
+        assert_eq!(super::slug("../etc: x?"), "etc-x");
+        assert_eq!(super::slug("  "), "scene");
+    }
+}

@@ -1,0 +1,156 @@
+//! Commands that change the scene.
+
+use std::path::Path;
+
+use glam::DVec3;
+
+use super::{Base, Session, keep_choices};
+use crate::app::{files, start};
+use crate::objects::Cameras;
+use crate::physics::{Motion, so3};
+use crate::scene::{Scene, SceneFile, SpinFile};
+use crate::sim::Simulation;
+use crate::ui::Pixels;
+
+/// Steps that a change of method or step may take to come back to the same time; past that it starts over.
+const MOST_CATCHING_UP: f64 = 2e5;
+/// Longest scene file read (bytes).
+const LARGEST_FILE: u64 = 1 << 20;
+
+impl Session {
+    /// Takes a changed scene where it is a scene, and says what is wrong with it where it is not.
+    pub(super) fn edit(&mut self, file: &SceneFile) {
+        match Scene::check(file) {
+            Ok(scene) => {
+                let is_same_motion = scene.file.body == self.scene.file.body && scene.file.spin == self.scene.file.spin;
+                let time = self.sim.time();
+                self.start(scene);
+                if is_same_motion && (time / self.scene.step).abs() <= MOST_CATCHING_UP {
+                    self.sim.go_to(time);
+                    self.time_was_set();
+                }
+            }
+            Err(error) => self.say(error.to_string()),
+        }
+    }
+
+    /// Sets a scene in motion; paused or running, and how fast, as before.
+    fn start(&mut self, scene: Scene) {
+        let clock = self.sim.clock;
+        self.sim = Simulation::new(&scene);
+        self.sim.clock = clock;
+        self.sim.clock.clear();
+        self.motion = Motion::new(&scene.body, &scene.start);
+        self.scene = scene;
+        self.forget_the_past();
+    }
+
+    /// A start with this momentum (principal axes, kg m²/s); the attitude stays.
+    fn start_with(&mut self, principal: DVec3) {
+        let body = &self.scene.body;
+        let omega = body.angular_velocity(body.body_from_principal() * principal);
+        let spin =
+            SpinFile { omega: Some(omega.to_array()), attitude: self.scene.file.spin.attitude, ..SpinFile::default() };
+        let file = SceneFile { spin, ..self.scene.file.clone() };
+        self.edit(&file);
+    }
+
+    fn principal_momentum(&self) -> DVec3 {
+        self.scene.body.body_from_principal().transpose() * self.scene.start.body_momentum
+    }
+
+    pub(super) fn set_energy(&mut self, energy: f64) {
+        if let Some(momentum) = start::with_energy(&self.scene.body, self.principal_momentum(), energy) {
+            self.start_with(momentum);
+        }
+    }
+
+    pub(super) fn go_to_separatrix(&mut self) {
+        match start::on_separatrix(&self.scene.body, self.principal_momentum()) {
+            Some(momentum) => self.start_with(momentum),
+            None => self.say("There is no separatrix: two moments are equal, or nothing turns."),
+        }
+    }
+
+    pub(super) fn poke(&mut self) {
+        let poked = start::poked(&self.scene.body, self.sim.state());
+        let attitude = so3::quaternion(poked.world_from_body);
+        let spin = SpinFile {
+            omega: Some(poked.body_angular_velocity(&self.scene.body).to_array()),
+            attitude: Some([attitude.w, attitude.x, attitude.y, attitude.z]),
+            ..SpinFile::default()
+        };
+        let file = SceneFile { spin, ..self.scene.file.clone() };
+        self.edit(&file);
+        self.say("Poked: a new motion begins here, with the same momentum.");
+    }
+
+    pub(super) fn pick(&mut self, at: Pixels) {
+        let Some(point) = self.body_pane().and_then(|pane| pane.sphere_under(at)) else { return };
+        let length = so3::norm(self.scene.start.body_momentum);
+        if length > 0.0 {
+            self.start_with(point.as_dvec3().normalize() * length);
+        }
+    }
+
+    pub(super) fn open_slide(&mut self, index: usize) {
+        let Some(slide) = self.slides.get(index) else { return };
+        let base = Base { name: slide.name.to_owned(), file: slide.file.clone() };
+        match Scene::check(&base.file) {
+            Ok(scene) => {
+                self.open_scene(scene);
+                self.base = base;
+                self.open = Some(index);
+            }
+            Err(error) => self.say(error.to_string()),
+        }
+    }
+
+    pub(super) fn open_file(&mut self, path: &Path) {
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        match read_scene(path) {
+            Ok(scene) => {
+                let warning = scene.warnings().into_iter().next();
+                self.base = Base { name: path.display().to_string(), file: scene.file.clone() };
+                self.open_scene(scene);
+                self.open = None;
+                self.say(warning.unwrap_or(name));
+            }
+            Err(why) => self.say(format!("{name}: {why}")),
+        }
+    }
+
+    fn open_scene(&mut self, mut scene: Scene) {
+        keep_choices(&mut scene.view, &mut scene.file, &self.scene.file);
+        self.cameras = Cameras::new(&scene.view);
+        self.sim.clock.speed = 1.0;
+        self.sim.clock.paused = false;
+        self.start(scene);
+    }
+
+    pub(super) fn save(&mut self) {
+        let file = &self.scene.file;
+        let written = file
+            .to_toml()
+            .map_err(|error| error.to_string())
+            .and_then(|text| files::write_new(&file.title, "toml", text.as_bytes()));
+        match written {
+            Ok(path) => {
+                // From here on a command can name the file, whatever is in it.
+                self.base = Base { name: path.display().to_string(), file: self.scene.file.clone() };
+                self.say(format!("Saved as {}", path.display()));
+            }
+            Err(why) => self.say(why),
+        }
+    }
+}
+
+fn read_scene(path: &Path) -> Result<Scene, String> {
+    let length = std::fs::metadata(path).map_err(|error| error.to_string())?.len();
+    if length > LARGEST_FILE {
+        return Err(format!("it is {length} bytes long, and a scene has at most {LARGEST_FILE}"));
+    }
+    let text = std::fs::read_to_string(path).map_err(|error| error.to_string())?;
+    let file = SceneFile::parse(&text).map_err(|error| error.to_string())?;
+    Scene::check(&file).map_err(|error| error.to_string())
+}

@@ -1,0 +1,149 @@
+//! Commands about time.
+
+use super::Session;
+use crate::physics::poinsot;
+use crate::physics::so3;
+use crate::sim::Tick;
+use crate::ui::{SPEED_POWERS, Timeline};
+
+/// Most steps that going to another time may take: about a tenth of a second of work.
+pub(super) const MOST_STEPS: f64 = 2e6;
+/// Flips that the scrub bar shows from the start.
+const FLIPS_AHEAD: f64 = 5.0;
+/// Share of the momentum that must lie along the middle axis at times for the body to be seen turning over.
+const TURNS_OVER: f64 = 0.8;
+/// How long before a flip one arrives (s of real time).
+const BEFORE_FLIP: f64 = 0.7;
+
+impl Session {
+    /// Lets real time (s) pass.
+    pub(in crate::app) fn advance(&mut self, real_seconds: f64) {
+        if self.sim.advance_frame(real_seconds) != Tick::Still {
+            self.time_has_passed();
+        }
+    }
+
+    /// Whether simulated time runs.
+    pub(in crate::app) fn is_playing(&self) -> bool {
+        !self.sim.clock.paused
+    }
+
+    /// Notes what came of steps taken.
+    fn time_has_passed(&mut self) {
+        self.picture_changed = true;
+        self.flips.watch(&self.sim);
+        self.history.record(&self.sim, &self.motion);
+        self.stretch_timeline();
+        if let (Some(failure), true) = (self.sim.main().failure(), self.sim.clock.paused) {
+            let text = failure.to_string();
+            self.say(text);
+        }
+    }
+
+    /// Time was set: nothing is measured across the gap.
+    pub(super) fn time_was_set(&mut self) {
+        self.time_jumped = true;
+        self.flips.jump();
+        self.time_has_passed();
+    }
+
+    /// A new motion begins: what was seen and measured was another one.
+    pub(in crate::app) fn forget_the_past(&mut self) {
+        self.history.clear();
+        self.flips = crate::sim::FlipWatch::default();
+        self.preview = None;
+        self.timeline = timeline_of(&self.scene);
+        self.time_was_set();
+    }
+
+    pub(super) fn step(&mut self, count: i64) {
+        self.sim.clock.paused = true;
+        self.sim.step(count);
+        self.time_has_passed();
+    }
+
+    pub(super) fn reverse(&mut self) {
+        self.sim.clock.speed = -self.sim.clock.speed;
+        self.time_jumped = true;
+        self.flips.jump();
+    }
+
+    pub(super) fn set_speed(&mut self, speed: f64) {
+        let (low, high) = SPEED_POWERS;
+        let speed = speed.clamp(f64::from(low).exp2(), f64::from(high).exp2());
+        self.sim.clock.speed = speed.copysign(self.sim.clock.speed);
+        self.time_jumped = true;
+    }
+
+    pub(super) fn restart(&mut self) {
+        self.sim.restart();
+        self.sim.clock.speed = self.sim.clock.speed.abs();
+        self.forget_the_past();
+    }
+
+    pub(super) fn go_to(&mut self, time: f64) {
+        if ((time - self.sim.time()) / self.scene.step).abs() > MOST_STEPS {
+            self.say(format!(
+                "{} is too many steps of {} ms away: take a longer step",
+                crate::ui::numbers::significant(time, 4) + " s",
+                self.scene.step * 1e3
+            ));
+            return;
+        }
+        self.sim.go_to(time);
+        self.time_was_set();
+    }
+
+    /// To shortly before the next flip, so that it can be watched.
+    pub(super) fn go_to_next_flip(&mut self) {
+        let speed = self.sim.clock.speed;
+        let lead = BEFORE_FLIP * speed.abs();
+        let lead = self.timeline.period.map_or(lead, |period| lead.min(0.25 * period)).copysign(speed);
+        // From within the lead of one flip the next one is meant.
+        match self.timeline.next_flip(self.sim.time() + 1.01 * lead, speed < 0.0) {
+            Some(flip) => self.go_to(flip - lead),
+            None => self.say("No flip comes any more."),
+        }
+    }
+
+    /// The scrub bar grows with the time that has been reached.
+    fn stretch_timeline(&mut self) {
+        let time = self.sim.time();
+        let line = &mut self.timeline;
+        while time > line.high && line.high.is_normal() {
+            line.high *= 2.0;
+        }
+        if time < line.low {
+            line.low = (2.0 * time).max(-line.high).min(time);
+        }
+    }
+}
+
+/// What can be said of a scene's motion before it is run.
+fn timeline_of(scene: &crate::scene::Scene) -> Timeline {
+    let momentum = scene.start.body_momentum;
+    // A momentum that stays far from the middle axis circles; nobody would say that the body flips.
+    let first_flip = poinsot::next_flip(&scene.body, momentum).filter(|_| nearest_to_middle(scene) > TURNS_OVER);
+    let period = poinsot::flip_period(&scene.body, momentum).filter(|_| first_flip.is_some());
+    let rate = so3::norm(scene.start.body_angular_velocity(&scene.body));
+    // Where it never flips: ten turns, or ten seconds at rest.
+    let turns = if rate > 0.0 { 20.0 * std::f64::consts::PI / rate } else { 10.0 };
+    let seen = match (first_flip, period) {
+        (Some(first), Some(period)) => first + FLIPS_AHEAD * period,
+        (Some(first), None) => 2.0 * first,
+        _ => turns,
+    };
+    let high = if seen.is_finite() { seen.clamp(1e-3, 1e9) } else { turns };
+    Timeline { low: 0.0, high, first_flip, period }
+}
+
+/// Largest share of the momentum along the middle axis, `max |M₂|/ℓ`, over the whole motion.
+fn nearest_to_middle(scene: &crate::scene::Scene) -> f64 {
+    let inverse = scene.body.principal_moments().recip();
+    let momentum = scene.start.body_momentum;
+    let ell = so3::norm(momentum);
+    // Σ sᵢ = 1 and Σ sᵢ/Iᵢ = e with s₁ = 0 or s₃ = 0, whichever side of the separatrix it is.
+    let e = 2.0 * scene.start.energy(&scene.body) / ell / ell;
+    let outer = if e < inverse.y { inverse.z } else { inverse.x };
+    ((e - outer) / (inverse.y - outer)).clamp(0.0, 1.0).sqrt()
+}

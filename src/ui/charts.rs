@@ -1,0 +1,200 @@
+//! Two charts below the picture: the angular velocity in the body, and the errors of the methods.
+
+use egui::{Color32, RichText, Ui};
+use egui_plot::{Corner, Legend, Line, LineStyle, Plot, PlotPoints, Points, VLine};
+
+use super::numbers::power_of_ten;
+use super::{Command, Look, style};
+use crate::physics::Method;
+use crate::sim::Errors;
+use crate::sim::Runner;
+
+/// Points of a curve.
+const POINTS: u32 = 500;
+/// What is drawn for no error at all, on the logarithmic scale.
+const FLOOR: f64 = -17.0;
+
+/// Which error the second chart shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Kind {
+    #[default]
+    Energy,
+    Momentum,
+    Attitude,
+}
+
+impl Kind {
+    fn of(self, errors: &Errors) -> f64 {
+        match self {
+            Self::Energy => errors.energy,
+            Self::Momentum => errors.momentum,
+            Self::Attitude => errors.attitude,
+        }
+    }
+}
+
+/// The charts.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Charts {
+    kind: Kind,
+}
+
+impl Charts {
+    /// Shows them side by side.
+    pub(super) fn ui(&mut self, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+        ui.columns(2, |columns| {
+            if let [left, right] = columns {
+                velocity(left, look, commands);
+                self.errors(right, look, commands);
+            }
+        });
+    }
+
+    fn errors(&mut self, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+        ui.horizontal(|ui| {
+            ui.label("Error of");
+            for (kind, name) in [(Kind::Energy, "energy"), (Kind::Momentum, "momentum"), (Kind::Attitude, "attitude")] {
+                ui.selectable_value(&mut self.kind, kind, name);
+            }
+        });
+        let kind = self.kind;
+        let runners: Vec<&'static Method> =
+            std::iter::once(look.sim.main()).chain(look.sim.ghosts()).map(Runner::method).collect();
+        let is_dark = ui.visuals().dark_mode;
+        let response = plot("errors", look)
+            .default_y_bounds(FLOOR, 1.0)
+            .y_axis_formatter(
+                |mark, _| if mark.value.fract() == 0.0 { power_of_ten(mark.value) } else { String::new() },
+            )
+            .y_grid_spacer(egui_plot::uniform_grid_spacer(|_| [20.0, 10.0, 5.0]))
+            .show(ui, |plot| {
+                for (index, method) in runners.iter().enumerate() {
+                    let points: Vec<[f64; 2]> = look
+                        .history
+                        .samples()
+                        .filter_map(|sample| {
+                            let error = kind.of(sample.errors.get(index)?);
+                            Some([sample.time, if error > 0.0 { error.log10().max(FLOOR) } else { FLOOR }])
+                        })
+                        .collect();
+                    let line = Line::new(method.label, PlotPoints::from(points));
+                    plot.line(line.color(method_color(method, is_dark)).width(if index == 0 { 2.5 } else { 1.5 }));
+                }
+                finish(plot, look, is_dark)
+            });
+        go_to(response.inner, commands);
+    }
+}
+
+fn velocity(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        ui.label("Angular velocity in the body (rad/s)");
+    });
+    let is_dark = ui.visuals().dark_mode;
+    let principal_from_body = look.sim.body().body_from_principal().transpose();
+    let moments = look.sim.body().principal_moments();
+    let (low, high) = (look.timeline.low, look.timeline.high);
+    let curve: Vec<(f64, glam::DVec3)> = (0..=POINTS)
+        .map(|index| {
+            let time = low + (high - low) * f64::from(index) / f64::from(POINTS);
+            (time, principal_from_body * look.motion.momentum(time) / moments)
+        })
+        .collect();
+    let now = principal_from_body * look.sim.state().body_momentum / moments;
+    let response = plot("velocity", look).show(ui, |plot| {
+        for (axis, name) in ["Ω₁", "Ω₂", "Ω₃"].into_iter().enumerate() {
+            let color = axis_color(axis, is_dark);
+            let points: Vec<[f64; 2]> = curve.iter().map(|(time, omega)| [*time, omega.to_array()[axis]]).collect();
+            plot.line(Line::new(name, PlotPoints::from(points)).color(color).width(2.0));
+            // Where the method at work has it: off the line where the method errs.
+            let here = vec![[look.sim.time(), now.to_array()[axis]]];
+            plot.points(Points::new("", PlotPoints::from(here)).color(color).radius(4.0).allow_hover(false));
+        }
+        finish(plot, look, is_dark)
+    });
+    go_to(response.inner, commands);
+}
+
+fn plot<'a>(name: &'static str, look: &Look<'_>) -> Plot<'a> {
+    Plot::new(name)
+        .allow_drag(false)
+        .allow_zoom(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .show_crosshair(false)
+        .default_x_bounds(look.timeline.low, look.timeline.high)
+        .x_axis_formatter(|mark, _| {
+            format!("{} s", super::numbers::trimmed(&super::numbers::significant(mark.value, 6)))
+        })
+        .grid_spacing(egui::Rangef::new(14.0, 120.0))
+        .grid_color(Color32::GRAY)
+        .y_axis_min_width(38.0)
+        .legend(Legend::default().position(Corner::LeftTop).background_alpha(0.6).text_style(egui::TextStyle::Small))
+        .label_formatter(|_| None)
+        .set_margin_fraction(egui::vec2(0.0, 0.08))
+}
+
+/// The cursor at the present time; gives the time that was clicked or dragged to.
+fn finish(plot: &mut egui_plot::PlotUi<'_>, look: &Look<'_>, is_dark: bool) -> Option<f64> {
+    plot.set_plot_bounds_x(look.timeline.low..=look.timeline.high);
+    let color = style::accent(is_dark);
+    plot.vline(VLine::new("", look.sim.time()).color(color).width(1.5).style(LineStyle::Solid).allow_hover(false));
+    let response = plot.response();
+    if !(response.clicked() || response.dragged()) {
+        return None;
+    }
+    let pointer = response.interact_pointer_pos()?;
+    Some(plot.plot_from_screen(pointer).x.clamp(look.timeline.low, look.timeline.high))
+}
+
+fn go_to(time: Option<f64>, commands: &mut Vec<Command>) {
+    if let Some(time) = time {
+        commands.push(Command::GoTo(time));
+    }
+}
+
+/// Colour of principal axis 1, 2, 3 (0, 1, 2): those of the picture.
+fn axis_color(axis: usize, is_dark: bool) -> Color32 {
+    let rgb = match (axis, is_dark) {
+        (0, true) => [0x56, 0xb4, 0xe9],
+        (1, true) => [0xe6, 0x9f, 0x00],
+        (_, true) => [0x00, 0xb3, 0x86],
+        (0, false) => [0x00, 0x72, 0xb2],
+        (1, false) => [0xd5, 0x5e, 0x00],
+        (_, false) => [0x00, 0x7f, 0x5f],
+    };
+    Color32::from_rgb(rgb[0], rgb[1], rgb[2])
+}
+
+/// Colour of a method, by its place in the table.
+pub(super) fn method_color(method: &Method, is_dark: bool) -> Color32 {
+    const DARK: [[u8; 3]; 8] = [
+        [0x56, 0xb4, 0xe9],
+        [0xe6, 0x9f, 0x00],
+        [0xcc, 0x79, 0xa7],
+        [0x00, 0xb3, 0x86],
+        [0xf0, 0xe4, 0x42],
+        [0xe0, 0x6a, 0x2c],
+        [0xb0, 0x9c, 0xff],
+        [0xe6, 0xe8, 0xeb],
+    ];
+    const LIGHT: [[u8; 3]; 8] = [
+        [0x00, 0x72, 0xb2],
+        [0xb0, 0x72, 0x00],
+        [0xb0, 0x3a, 0x78],
+        [0x00, 0x7f, 0x5f],
+        [0x7a, 0x70, 0x00],
+        [0xd5, 0x5e, 0x00],
+        [0x5a, 0x3f, 0xc0],
+        [0x20, 0x24, 0x2a],
+    ];
+    let place = crate::physics::METHODS.iter().position(|row| row.name == method.name).unwrap_or(0);
+    let [r, g, b] = if is_dark { DARK[place % 8] } else { LIGHT[place % 8] };
+    Color32::from_rgb(r, g, b)
+}
+
+/// A method's name in its colour.
+pub(super) fn method_text(method: &Method, is_dark: bool) -> RichText {
+    RichText::new(method.label).color(method_color(method, is_dark))
+}

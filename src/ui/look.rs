@@ -1,0 +1,65 @@
+//! What the panels see.
+
+use crate::physics::Motion;
+use crate::scene::{Scene, View};
+use crate::sim::{FlipWatch, History, Simulation};
+
+use super::{Pixels, Timeline};
+
+/// Everything that the panels read.
+#[derive(Clone, Copy, Debug)]
+pub struct Look<'a> {
+    /// The running simulation.
+    pub sim: &'a Simulation,
+    /// Its scene.
+    pub scene: &'a Scene,
+    /// How it is looked at.
+    pub view: &'a View,
+    /// The exact motion from the same start.
+    pub motion: &'a Motion,
+    /// What the methods have strayed so far.
+    pub history: &'a History,
+    /// The flips seen so far.
+    pub flips: &'a FlipWatch,
+    /// The flips that come, and how far the scrub bar reaches.
+    pub timeline: &'a Timeline,
+    /// What a click on the sphere would start.
+    pub preview: Option<&'a Preview>,
+    /// Titles of the scenes that can be gone through.
+    pub titles: &'a [String],
+    /// Which of them is open, if any.
+    pub open: Option<usize>,
+    /// Simulated seconds a real second, as measured while playing.
+    pub real_time_factor: Option<f64>,
+    /// What is shown besides the picture.
+    pub shown: Shown,
+    /// Whether the window fills the screen.
+    pub fullscreen: bool,
+    /// A sentence for the user about what was last done or refused.
+    pub message: Option<&'a str>,
+}
+
+/// What is shown besides the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(clippy::struct_excessive_bools, reason = "each is shown or not, whatever the others are")]
+pub struct Shown {
+    /// The panel and the strip of time.
+    pub panel: bool,
+    /// The scene's title, text and question.
+    pub slide: bool,
+    /// The charts.
+    pub charts: bool,
+    /// The sheet of keys.
+    pub help: bool,
+}
+
+/// A start on the momentum sphere under the pointer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Preview {
+    /// Where on the picture (pixels).
+    pub at: Pixels,
+    /// Its polhode on the picture (pixels), and whether each point is on the near side.
+    pub path: Vec<(Pixels, bool)>,
+    /// What kind of motion it is.
+    pub words: &'static str,
+}
