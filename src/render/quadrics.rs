@@ -104,14 +104,27 @@ impl Quadrics {
         }
     }
 
-    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        let (Some(corners), Some(draws)) = (self.corners.get(), self.views.get(view)) else { return };
-        for draw in draws {
+    /// Draws the far walls of the hollow ones; false where there are none.
+    pub(super) fn draw_far_walls(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) -> bool {
+        self.draw(pass, view, true)
+    }
+
+    /// Draws all the rest.
+    pub(super) fn draw_near_walls(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+        self.draw(pass, view, false);
+    }
+
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize, far_only: bool) -> bool {
+        let (Some(corners), Some(draws)) = (self.corners.get(), self.views.get(view)) else { return false };
+        let mut any = false;
+        for draw in draws.iter().filter(|draw| draw.far_only == far_only) {
+            any = true;
             pass.set_pipeline(if draw.far_only { &self.far_walls } else { &self.hiding });
             pass.set_vertex_buffer(0, corners.slice(..));
             self.uniforms.bind(pass, 1, draw.number);
             pass.draw(draw.corners.clone(), 0..1);
         }
+        any
     }
 }
 
