@@ -17,7 +17,7 @@ pub(super) struct SegmentData {
     end: [f32; 3],
     after: [f32; 3],
     style: [f32; 4],
-    along: [f32; 2],
+    along: [f32; 3],
     colors: [[f32; 4]; 2],
 }
 
@@ -44,7 +44,7 @@ impl Lines {
                     step_mode: wgpu::VertexStepMode::Vertex,
                     attributes: &wgpu::vertex_attr_array![
                         0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3,
-                        4 => Float32x4, 5 => Float32x2, 6 => Float32x4, 7 => Float32x4
+                        4 => Float32x4, 5 => Float32x3, 6 => Float32x4, 7 => Float32x4
                     ],
                 }),
                 group: None,
@@ -125,7 +125,7 @@ fn append(line: &Line, segments: &mut Vec<SegmentData>) {
             end: end.position.to_array(),
             after: after.position.to_array(),
             style: [line.width, line.hidden, period, kind],
-            along: [along, next],
+            along: [along, next, line.lift],
             colors: [start.color.0, end.color.0],
         });
         along = next;
