@@ -107,6 +107,13 @@ pub fn build_frame(simulation: &Simulation, settings: &scene::View, cameras: &Ca
             for object in OBJECTS.iter().filter(|object| object.space == space && is_shown(object, settings)) {
                 (object.draw)(&context, &mut view);
             }
+            if space == Space::Body {
+                // On the round surfaces of momentum space a flat stroke dips in near the outline; no thin body is there
+                // for it to shine through.
+                for line in &mut view.lines {
+                    line.lift = 0.014;
+                }
+            }
             if !settings.labels {
                 view.labels.clear();
             }

@@ -100,8 +100,16 @@ impl Renderer {
                 pass.set_viewport(corner.x, corner.y, extent.x, extent.y, 0.0, 1.0);
                 self.views.bind(&mut pass, 0, number);
                 self.solids.draw(&mut pass, number);
-                self.quadrics.draw(&mut pass, number);
-                self.lines.draw(&mut pass, number);
+                let hollow = self.quadrics.draw_far_walls(&mut pass, number);
+                if hollow {
+                    self.lines.draw_inside(&mut pass, number);
+                }
+                self.quadrics.draw_near_walls(&mut pass, number);
+                if hollow {
+                    self.lines.draw_seen(&mut pass, number);
+                } else {
+                    self.lines.draw_all(&mut pass, number);
+                }
                 self.points.draw(&mut pass, number);
                 self.texts.draw(&mut pass, number);
             }

@@ -20,7 +20,7 @@ const HALO_OPACITY: f32 = 0.8;
 /// `Glyph` of shaders/text.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct GlyphData {
+pub(super) struct GlyphData {
     place: [f32; 4],
     source: [f32; 3],
     color: [f32; 4],
