@@ -16,9 +16,9 @@ pub(super) struct Base {
 /// The command for a scene at a time (s) in a picture of this size; `None` where flags cannot say it and the scene
 /// has to be saved first.
 pub(super) fn shot(base: &Base, file: &SceneFile, cameras: &Cameras, time: f64, size: [u32; 2]) -> Option<String> {
-    let has_flags = file.spin.attitude == base.file.spin.attitude
-        && !(file.motion.compare.is_empty() && !base.file.motion.compare.is_empty());
-    if !has_flags {
+    // An attitude has no flag, and none takes methods of the base away.
+    let loses_ghosts = file.motion.compare.is_empty() && !base.file.motion.compare.is_empty();
+    if loses_ghosts || file.spin.attitude != base.file.spin.attitude {
         return None;
     }
     let mut file = file.clone();
