@@ -1,6 +1,7 @@
 // Copies the picture to its place in the window, pixel by pixel.
 
-override encode: bool = false;
+// Whether the window encodes what is written to it: the picture's values are encoded already.
+override decode: bool = false;
 
 @group(0) @binding(0) var picture: texture_2d<f32>;
 
@@ -19,10 +20,10 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
 fn fragment(corner: Corner) -> @location(0) vec4f {
     let size = vec2f(textureDimensions(picture));
     let color = textureLoad(picture, vec2i(corner.uv * size), 0);
-    if !encode {
+    if !decode {
         return vec4f(color.rgb, 1.0);
     }
-    let low = color.rgb * 12.92;
-    let high = 1.055 * pow(color.rgb, vec3f(1.0 / 2.4)) - 0.055;
-    return vec4f(select(high, low, color.rgb <= vec3f(0.0031308)), 1.0);
+    let low = color.rgb / 12.92;
+    let high = pow((color.rgb + 0.055) / 1.055, vec3f(2.4));
+    return vec4f(select(high, low, color.rgb <= vec3f(0.04045)), 1.0);
 }

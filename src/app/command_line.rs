@@ -2,7 +2,7 @@
 
 use crate::camera::Camera;
 use crate::objects::Cameras;
-use crate::scene::{Layout, SceneFile, View, flags};
+use crate::scene::{Layout, SceneFile, View, flags, quoted};
 
 /// What the scene came from, as the command line names it.
 #[derive(Clone, Debug)]
@@ -16,9 +16,9 @@ pub(super) struct Base {
 /// The command for a scene at a time (s) in a picture of this size; `None` where flags cannot say it and the scene
 /// has to be saved first.
 pub(super) fn shot(base: &Base, file: &SceneFile, cameras: &Cameras, time: f64, size: [u32; 2]) -> Option<String> {
-    let has_flags = file.spin.attitude == base.file.spin.attitude
-        && !(file.motion.compare.is_empty() && !base.file.motion.compare.is_empty());
-    if !has_flags {
+    // An attitude has no flag, and none takes methods of the base away.
+    let loses_ghosts = file.motion.compare.is_empty() && !base.file.motion.compare.is_empty();
+    if loses_ghosts || file.spin.attitude != base.file.spin.attitude {
         return None;
     }
     let mut file = file.clone();
@@ -27,7 +27,7 @@ pub(super) fn shot(base: &Base, file: &SceneFile, cameras: &Cameras, time: f64, 
     words.extend(flags(&base.file, &file));
     words.extend(["--time".to_owned(), time.to_string(), "--size".to_owned(), format!("{}x{}", size[0], size[1])]);
     words.extend(["-o".to_owned(), format!("{}.png", super::files::slug(&file.title))]);
-    Some(words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(" "))
+    Some(quoted(&words))
 }
 
 /// A scene knows one camera: that of the view shown, or of the world where both are.
@@ -60,9 +60,4 @@ fn unset_view() -> View {
         elevation_deg: None,
         distance: None,
     }
-}
-
-fn quoted(word: &str) -> String {
-    let is_plain = word.chars().all(|c| c.is_alphanumeric() || "-_./,=".contains(c));
-    if is_plain { word.to_owned() } else { format!("'{}'", word.replace('\'', r"'\''")) }
 }

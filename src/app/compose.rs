@@ -8,7 +8,6 @@ use crate::render::{FORMAT, Gpu};
 pub(super) struct Compose {
     pipeline: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
-    can_reinterpret: bool,
     picture: Option<Picture>,
 }
 
@@ -22,8 +21,6 @@ struct Picture {
 impl Compose {
     pub(super) fn new(gpu: &Gpu, window_format: wgpu::TextureFormat) -> Self {
         let device = &gpu.device;
-        let can_reinterpret =
-            gpu.adapter.get_downlevel_capabilities().flags.contains(wgpu::DownlevelFlags::VIEW_FORMATS);
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("picture in window"),
             entries: &[wgpu::BindGroupLayoutEntry {
@@ -43,10 +40,7 @@ impl Compose {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: 0,
         });
-        // Read through a view that does not decode, the values are right as they are; else they are encoded again,
-        // unless the window's format does that.
-        let encodes = !can_reinterpret && !window_format.is_srgb();
-        let constants = [("encode", f64::from(u8::from(encodes)))];
+        let constants = [("decode", f64::from(u8::from(window_format.is_srgb())))];
         let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some("picture in window"),
             layout: Some(&pipeline_layout),
@@ -68,7 +62,7 @@ impl Compose {
             multiview_mask: None,
             cache: None,
         });
-        Self { pipeline, layout, can_reinterpret: can_reinterpret && !window_format.is_srgb(), picture: None }
+        Self { pipeline, layout, picture: None }
     }
 
     /// Gives the picture this size; true where its content is thereby lost.
@@ -76,7 +70,6 @@ impl Compose {
         if self.picture.as_ref().is_some_and(|picture| picture.size == size) {
             return false;
         }
-        let plain = FORMAT.remove_srgb_suffix();
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("picture"),
             size: wgpu::Extent3d { width: size.0, height: size.1, depth_or_array_layers: 1 },
@@ -85,20 +78,15 @@ impl Compose {
             dimension: wgpu::TextureDimension::D2,
             format: FORMAT,
             usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
-            view_formats: if self.can_reinterpret { std::slice::from_ref(&plain) } else { &[] },
+            view_formats: &[],
         });
-        let read = texture.create_view(&wgpu::TextureViewDescriptor {
-            format: self.can_reinterpret.then_some(plain),
-            usage: Some(wgpu::TextureUsages::TEXTURE_BINDING),
-            ..Default::default()
-        });
+        let target = texture.create_view(&wgpu::TextureViewDescriptor::default());
         let source = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("picture in window"),
             layout: &self.layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&read) }],
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&target) }],
         });
-        self.picture =
-            Some(Picture { size, target: texture.create_view(&wgpu::TextureViewDescriptor::default()), source });
+        self.picture = Some(Picture { size, target, source });
         true
     }
 

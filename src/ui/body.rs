@@ -73,17 +73,22 @@ fn moments_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let Some(mut moments) = moments_of(look).moments else { return };
     let largest = moments.iter().copied().fold(0.0, f64::max);
     // Only the ratios of the moments matter for the motion: the sliders' range follows their size.
-    let scale = 10f64.powi(largest.log10().ceil() as i32);
+    let (unit, per_unit) = if largest < 0.1 { (" g m²", 1e3) } else { (" kg m²", 1.0) };
+    let scale = 10f64.powi((largest * per_unit).log10().ceil() as i32);
     let mut changed = false;
     for (moment, label) in moments.iter_mut().zip(["about x", "about y", "about z"]) {
         let row = NumberRow {
             label,
-            unit: " kg m²",
+            unit,
             range: (0.01 * scale, scale),
             logarithmic: None,
             hint: "Moment of inertia about this axis of the body",
         };
-        changed |= row.ui(ui, moment).changed();
+        let mut shown = *moment * per_unit;
+        if row.ui(ui, &mut shown).changed() {
+            *moment = shown / per_unit;
+            changed = true;
+        }
     }
     if let Some(ratio) = look.scene.body.triangle_excess() {
         let text = format!(

@@ -23,6 +23,8 @@ pub struct Look<'a> {
     pub flips: &'a FlipWatch,
     /// The flips that come, and how far the scrub bar reaches.
     pub timeline: &'a Timeline,
+    /// The ground of the picture: what belongs to it stands on the same.
+    pub ground: egui::Color32,
     /// What a click on the sphere would start.
     pub preview: Option<&'a Preview>,
     /// Titles of the scenes that can be gone through.

@@ -159,13 +159,13 @@ fn footer(ui: &mut Ui, commands: &mut Vec<Command>) {
     });
 }
 
-/// A sentence at the top of the picture, for a while.
+/// A sentence at the foot of the picture, for a while.
 fn message_ui(ui: &Ui, picture: Rect, message: &str) {
     let area = egui::Area::new(egui::Id::unique("message"))
         .order(egui::Order::Foreground)
         .interactable(false)
-        .pivot(egui::Align2::CENTER_TOP)
-        .fixed_pos(picture.center_top() + egui::vec2(0.0, 14.0));
+        .pivot(egui::Align2::CENTER_BOTTOM)
+        .fixed_pos(picture.center_bottom() - egui::vec2(0.0, 12.0));
     area.show(ui.ctx(), |ui| {
         let frame = Frame::window(ui.style()).inner_margin(Margin::symmetric(14, 8)).corner_radius(6);
         frame.show(ui, |ui| {

@@ -33,7 +33,7 @@ pub(super) fn errors(ui: &mut Ui, look: &Look<'_>) {
     let scene = look.scene;
     let time = look.sim.time();
     let is_dark = ui.visuals().dark_mode;
-    Grid::new("errors").num_columns(4).spacing([8.0, 4.0]).min_col_width(48.0).show(ui, |ui| {
+    Grid::new("errors").num_columns(4).spacing([6.0, 4.0]).min_col_width(46.0).show(ui, |ui| {
         ui.label("");
         for head in ["energy", "L", "attitude"] {
             ui.label(RichText::new(head).small().weak());
@@ -41,8 +41,8 @@ pub(super) fn errors(ui: &mut Ui, look: &Look<'_>) {
         ui.end_row();
         for runner in std::iter::once(look.sim.main()).chain(look.sim.ghosts()) {
             let errors = Errors::of(scene, look.motion, time, runner.state());
-            ui.add(egui::Label::new(method_text(runner.method(), is_dark).small()).truncate())
-                .on_hover_text(runner.method().label);
+            let name = egui::Label::new(method_text(runner.method(), is_dark).small()).truncate().halign(Align::Min);
+            ui.add_sized([112.0, 16.0], name).on_hover_text(runner.method().label);
             for error in [errors.energy, errors.momentum, errors.attitude] {
                 ui.label(RichText::new(numbers::scientific_short(error)).monospace().size(12.5));
             }

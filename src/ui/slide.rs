@@ -11,12 +11,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>) {
     if title.is_empty() && text.is_empty() && question.is_empty() {
         return;
     }
-    let frame = Frame::new().fill(style::picture_ground(ui.visuals().dark_mode)).inner_margin(Margin {
-        left: 24,
-        right: 24,
-        top: 14,
-        bottom: 12,
-    });
+    let frame = Frame::new().fill(look.ground).inner_margin(Margin { left: 24, right: 24, top: 14, bottom: 12 });
     Panel::top("slide").frame(frame).show_separator_line(false).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 5.0;
         if !title.is_empty() {

@@ -58,12 +58,6 @@ pub fn accent(is_dark: bool) -> Color32 {
     if is_dark { Color32::from_rgb(0x5b, 0x9d, 0xf0) } else { Color32::from_rgb(0x1f, 0x62, 0xc4) }
 }
 
-/// The ground of the picture: what belongs to it stands on the same.
-#[must_use]
-pub fn picture_ground(is_dark: bool) -> Color32 {
-    if is_dark { Color32::from_rgb(0x14, 0x17, 0x1c) } else { Color32::from_rgb(0xfb, 0xfa, 0xf7) }
-}
-
 /// Colour of a warning.
 #[must_use]
 pub fn warning(is_dark: bool) -> Color32 {

@@ -5,6 +5,8 @@ use egui::{Align, Layout, RichText, Slider, Ui};
 use super::icons::{Icon, icon_button};
 use super::keys::keys_of;
 use super::{Command, Look, numbers, timeline};
+use crate::physics::MotionClass;
+use crate::physics::poinsot;
 
 /// Slowest and fastest speed, as powers of two.
 pub const SPEED_POWERS: (i32, i32) = (-6, 3);
@@ -79,7 +81,11 @@ fn flips(ui: &mut Ui, look: &Look<'_>) {
                 ui.label(words("it does not flip".to_owned()));
             }
         }
-        if let Some(period) = look.timeline.period {
+        let class = poinsot::classify(&look.scene.body, look.scene.start.body_momentum);
+        if let (MotionClass::Separatrix, Some(period)) = (class, look.timeline.period) {
+            // The start on the separatrix is rounded like any number: what flips it again is that.
+            ui.label(words(format!("once; again after {} by rounding alone", seconds(period))).weak());
+        } else if let Some(period) = look.timeline.period {
             let measured = look.flips.between().map_or(String::new(), |time| format!(", measured {}", seconds(time)));
             ui.label(words(format!("every {}{measured}", seconds(period))).weak());
         }

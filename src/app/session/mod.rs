@@ -8,7 +8,7 @@ use web_time::{Duration, Instant};
 use super::command_line::{self, Base};
 use super::pick::Pane;
 use super::remember::Remembered;
-use crate::objects::{Cameras, Space, areas};
+use crate::objects::{Cameras, Palette, Space, areas};
 use crate::physics::Motion;
 use crate::scene::{Layout, Preset, Scene, SceneFile, Theme, View, presets};
 use crate::sim::{FlipWatch, History, Simulation};
@@ -111,6 +111,7 @@ impl Session {
             history: &self.history,
             flips: &self.flips,
             timeline: &self.timeline,
+            ground: ground(self.scene.view.theme),
             preview: self.preview.as_ref(),
             titles: &self.titles,
             open: self.open,
@@ -266,6 +267,12 @@ impl Slide {
     fn of(preset: &Preset) -> Option<Self> {
         Some(Self { name: preset.name, file: preset.read().ok()? })
     }
+}
+
+/// The background of the picture, as the panels draw colours.
+fn ground(theme: Theme) -> egui::Color32 {
+    let [r, g, b, _] = Palette::new(theme).background.0.map(|channel| (channel * 255.0).round() as u8);
+    egui::Color32::from_rgb(r, g, b)
 }
 
 /// What a presenter has chosen stays from scene to scene, unless the scene itself sets it.
