@@ -7,8 +7,8 @@ struct Segment {
     @location(3) after: vec3f,
     // width (points), opacity where hidden, dash period, dash kind (0 solid, 1 dashed, 2 dotted)
     @location(4) style: vec4f,
-    // length of the line at start and end
-    @location(5) along: vec2f,
+    // length of the line at start and end, lift
+    @location(5) along: vec3f,
     @location(6) start_color: vec4f,
     @location(7) end_color: vec4f,
 }
@@ -46,12 +46,13 @@ fn direction(from_pixel: vec2f, to_pixel: vec2f) -> vec2f {
     return select(vec2f(0.0), way / max(far, 1e-6), far > 1e-3);
 }
 
-// How far, in widths, a segment reaches beyond its end to the bisector of the corner there: tan of half the bend. A
-// free end needs its whole cap. Every covered block of pixels is paid for where there is no GPU.
-fn overhang(one: vec2f, other: vec2f) -> f32 {
+// How far a segment reaches beyond its end to the bisector of the corner there: tan of half the bend, and most of a pixel,
+// since a pixel whose middle lies before the bisector is wholly this segment's. A free end needs its whole cap. No
+// farther: every covered block of pixels is paid for where there is no GPU.
+fn overhang(one: vec2f, other: vec2f, reach: f32) -> f32 {
     let bend = abs(one.x * other.y - one.y * other.x) / max(1.0 + dot(one, other), 1e-3);
     let free = dot(one, one) < 0.5 || dot(other, other) < 0.5;
-    return select(min(bend + 0.1, 1.0), 1.0, free);
+    return select(min(bend * reach + 0.8, reach), reach, free);
 }
 
 fn corner(segment: Segment, index: u32, hidden: bool) -> Corner {
@@ -72,13 +73,14 @@ fn corner(segment: Segment, index: u32, hidden: bool) -> Corner {
     let forward = direction(p, q);
     let tangent = select(vec2f(1.0, 0.0), forward, dot(forward, forward) > 0.5);
     let side = vec2f(-tangent.y, tangent.x);
-    let reach = half_width + 0.6;
+    let reach = half_width + 1.0;
     let at = quad_corner(index);
     out.neighbours = vec4f(direction(pixels(before), p), direction(q, pixels(after)));
-    let beyond = reach * select(overhang(out.neighbours.xy, tangent), overhang(tangent, out.neighbours.zw), at.x > 0.5);
+    let behind = overhang(out.neighbours.xy, tangent, reach);
+    let beyond = select(behind, overhang(tangent, out.neighbours.zw, reach), at.x > 0.5);
     let pixel = select(p - tangent * beyond, q + tangent * beyond, at.x > 0.5) + side * reach * (2.0 * at.y - 1.0);
     let depth = mix(start.z / start.w, end.z / end.w, at.x);
-    out.clip = vec4f(2.0 * pixel / view.metrics.xy - 1.0, min(depth * LIFT, 1.0), 1.0);
+    out.clip = vec4f(2.0 * pixel / view.metrics.xy - 1.0, min(depth * (1.0 + segment.along.z), 1.0), 1.0);
     if whole_start.w < view.eye.w && whole_end.w < view.eye.w || out.pen.y <= 0.0 {
         out.clip = vec4f(2.0, 2.0, 0.0, 1.0);
     }
@@ -86,7 +88,7 @@ fn corner(segment: Segment, index: u32, hidden: bool) -> Corner {
     out.ends = vec4f(p, q);
     out.start_color = segment.start_color;
     out.end_color = segment.end_color;
-    out.dash = vec4f(segment.along, segment.style.zw);
+    out.dash = vec4f(segment.along.xy, segment.style.zw);
     return out;
 }
 

@@ -7,6 +7,9 @@ struct Mark {
     @location(3) rim: vec4f,
 }
 
+// How far marks are drawn before the surfaces they lie on, as a factor on their depth.
+const LIFT: f32 = 1.014;
+
 struct Corner {
     @builtin(position) clip: vec4f,
     @location(0) offset: vec2f,
@@ -24,7 +27,7 @@ fn corner(mark: Mark, index: u32, hidden: bool) -> Corner {
     var clip = vec4f(2.0, 2.0, 0.0, 1.0);
     if centre.w > view.eye.w && opacity > 0.0 {
         let ndc = centre.xyz / centre.w;
-        clip = vec4f(ndc.xy + 2.0 * offset / view.metrics.xy, min(ndc.z * LIFT * LIFT, 1.0), 1.0);
+        clip = vec4f(ndc.xy + 2.0 * offset / view.metrics.xy, min(ndc.z * LIFT, 1.0), 1.0);
     }
     return Corner(clip, offset, vec4f(radius, mark.style.z, opacity, view.metrics.z), mark.color, mark.rim);
 }

@@ -28,13 +28,16 @@ fn vertex(@location(0) ndc: vec2f) -> Corner {
 
 // Where a ray meets an ellipsoid, and how much of the pixel the ellipsoid covers.
 struct Meeting {
+    // the ray in unit-sphere space
+    origin: vec3f,
+    ray: vec3f,
     near: f32,
     far: f32,
     coverage: f32,
 }
 
-fn meet(quadric: Quadric, origin: vec3f, ray: vec3f) -> Meeting {
-    let o = (quadric.unit_from_world * vec4f(origin, 1.0)).xyz;
+fn meet(quadric: Quadric, ray: vec3f) -> Meeting {
+    let o = (quadric.unit_from_world * vec4f(view.eye.xyz, 1.0)).xyz;
     let d = (quadric.unit_from_world * vec4f(ray, 0.0)).xyz;
     let squared = dot(d, d);
     let middle = -dot(o, d) / squared;
@@ -42,7 +45,7 @@ fn meet(quadric: Quadric, origin: vec3f, ray: vec3f) -> Meeting {
     let miss = length(o + middle * d);
     let coverage = clamp((1.0 - miss) / fwidth(miss) + 0.5, 0.0, 1.0);
     let half = sqrt(max(1.0 - miss * miss, 0.0) / squared);
-    return Meeting(middle - half, middle + half, coverage);
+    return Meeting(o, d, middle - half, middle + half, coverage);
 }
 
 struct Wall {
@@ -53,15 +56,12 @@ struct Wall {
 
 // What is the same for all walls along a ray.
 struct Sight {
-    origin: vec3f,
-    ray: vec3f,
     to_eye: vec3f,
     half_way: vec3f,
 }
 
-fn wall(quadric: Quadric, sight: Sight, depth: f32, coverage: f32) -> Wall {
-    let position = sight.origin + depth * sight.ray;
-    let unit = (quadric.unit_from_world * vec4f(position, 1.0)).xyz;
+fn wall(quadric: Quadric, meeting: Meeting, sight: Sight, depth: f32, coverage: f32) -> Wall {
+    let unit = meeting.origin + depth * meeting.ray;
     let outward = normalize((vec4f(unit, 0.0) * quadric.unit_from_world).xyz);
     let facing = dot(outward, sight.to_eye);
     let outer = facing > 0.0;
@@ -86,9 +86,9 @@ struct Fragment {
 fn fragment(corner: Corner) -> Fragment {
     let ray = corner.ray;
     let to_eye = -normalize(ray);
-    let sight = Sight(view.eye.xyz, ray, to_eye, normalize(view.key_light.xyz + to_eye));
-    let one = meet(pair.first, sight.origin, ray);
-    let two = meet(pair.second, sight.origin, ray);
+    let sight = Sight(to_eye, normalize(view.key_light.xyz + to_eye));
+    let one = meet(pair.first, ray);
+    let two = meet(pair.second, ray);
     let first = one.coverage;
     let second = two.coverage * pair.choice.x;
     if first + second <= 0.0 {
@@ -102,12 +102,12 @@ fn fragment(corner: Corner) -> Fragment {
     var c = absent;
     var d = absent;
     if first > 0.0 {
-        a = wall(pair.first, sight, one.near, first * near);
-        c = wall(pair.first, sight, one.far, first * far);
+        a = wall(pair.first, one, sight, one.near, first * near);
+        c = wall(pair.first, one, sight, one.far, first * far);
     }
     if second > 0.0 {
-        b = wall(pair.second, sight, two.near, second * near);
-        d = wall(pair.second, sight, two.far, second * far);
+        b = wall(pair.second, two, sight, two.near, second * near);
+        d = wall(pair.second, two, sight, two.far, second * far);
     }
     // Near to far: a sorting network of four, the pairs (a, c) and (b, d) being in order already.
     var t = a;

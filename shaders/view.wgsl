@@ -16,9 +16,6 @@ struct View {
 
 @group(0) @binding(0) var<uniform> view: View;
 
-// How far lines and marks are drawn before the surfaces they lie on, as a part of their depth.
-const LIFT: f32 = 1.006;
-
 // Soft light. `half_way` lies between the key light and the eye.
 fn lit(color: vec3f, normal: vec3f, half_way: vec3f, gloss: f32) -> vec3f {
     // Wrapped: no face goes black, and the turn from light to shade is soft.

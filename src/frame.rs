@@ -205,6 +205,9 @@ pub struct Line {
     pub dash: Dash,
     /// Factor on the opacity where a surface hides the line; 0 hides it wholly.
     pub hidden: f32,
+    /// How far before its place the line is tested against surfaces, as a part of its distance from the eye: it may lie
+    /// on one.
+    pub lift: f32,
 }
 
 impl Line {
@@ -212,7 +215,7 @@ impl Line {
     #[must_use]
     pub fn new(points: impl IntoIterator<Item = Vec3>, width: f32, color: Color) -> Self {
         let points = points.into_iter().map(|position| LinePoint { position, color }).collect();
-        Self { points, width, dash: Dash::Solid, hidden: 0.0 }
+        Self { points, width, dash: Dash::Solid, hidden: 0.0, lift: 0.005 }
     }
 
     /// The same line, seen this strongly through surfaces.

@@ -12,6 +12,8 @@ pub mod objects;
 pub mod physics;
 #[cfg(feature = "picture")]
 pub mod render;
+#[cfg(feature = "report")]
+pub mod report;
 pub mod scene;
 pub mod sim;
 #[cfg(feature = "window")]

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{Case, EPS, assert_at_most, attitude_error, reference_case, reference_cases, state_of};
+use common::{Case, EPS, Random, assert_at_most, attitude_error, reference_case, reference_cases, state_of};
 use dzhanibekov::physics::{
     Body, Integration, METHODS, Method, Motion, State, method,
     methods::{DEFAULT_METHOD, Keeps, Order},
@@ -83,6 +83,50 @@ fn exact_methods_are_exact() {
                 assert_at_most(attitude_error(state.world_from_body, exact), bound, &what);
                 let energy_error = state.energy(&case.body) / case.start.energy(&case.body) - 1.0;
                 assert_at_most(energy_error.abs(), 1e-13, &what);
+            }
+        }
+    }
+}
+
+/// And on random boxes, tossed any way and beside the separatrix; |Ω| is the largest of the orbit, `ℓ/I₁` at most.
+#[test]
+fn exact_step_on_random_boxes() {
+    let mut random = Random::new(6);
+    for n in 0..300 {
+        let body = Body::solid_box(random.vector().abs() + 0.05, 1.0).expect("a box");
+        let moments = body.principal_moments();
+        let slope = (moments.x * (moments.z - moments.y) / (moments.z * (moments.y - moments.x))).sqrt();
+        let momentum = match n % 3 {
+            0 => random.vector(),
+            1 => DVec3::new(slope, random.between(-2.0, 2.0), 1.0 + 10f64.powf(random.between(-15.0, -1.0))),
+            _ => DVec3::new(0.0, 1.0, 10f64.powf(random.between(-15.0, -1.0))),
+        };
+        let momentum = body.body_from_principal() * momentum;
+        let start = state_of(&body, DMat3::IDENTITY, momentum);
+        let rate = start.body_momentum.length() / moments.x;
+        let mut integration = Integration::new(method("exact-step").expect("a method"), &body, start, 0.25 / rate);
+        integration.advance(5_000).expect("exact methods take any step");
+        let exact = Motion::new(&body, &start).attitude(integration.time());
+        let bound = 8.0 * EPS * (1.0 + rate * integration.time());
+        let what = format!("moments {moments} momentum {momentum}");
+        assert_at_most(attitude_error(integration.state().world_from_body, exact), bound, &what);
+    }
+}
+
+/// Any length of step: to either side of the quarter turn from which the closed form takes it, and forwards and backwards in turn.
+#[test]
+fn exact_step_of_any_length() {
+    for case in reference_cases() {
+        let motion = Motion::new(&case.body, &case.start);
+        for turn in [1e-3, 0.8, 1.1, 1.3, 1.6, 2.0, 2.4, 3.0, 10.0] {
+            let mut integration = start(method("exact-step").expect("a method"), &case, turn / case.rate());
+            for count in [40, -100, 7] {
+                integration.advance(count).expect("exact methods take any step");
+                let exact = motion.attitude(integration.time());
+                // 200 steps of rounding at most.
+                let bound = 8.0 * EPS * (1.0 + case.rate() * integration.time().abs()) + 200.0 * EPS;
+                let error = attitude_error(integration.state().world_from_body, exact);
+                assert_at_most(error, bound, &format!("{}, {turn} rad a step", case.name));
             }
         }
     }
@@ -224,7 +268,7 @@ fn deterministic() {
 
         let mut integration = start(method, &case, 0.01);
         let direct = integration.clone().state_at(2.005).expect("a state");
-        for time in [0.5, 1.234, -3.0, 2.0] {
+        for time in [0.5, 1.234, -3.0, -1.0, 2.0] {
             integration.state_at(time).expect("a state");
         }
         assert_eq!(integration.state_at(2.005).expect("a state"), direct, "{}", method.name);

@@ -108,6 +108,29 @@ pub(super) struct PictureArguments {
     pub(super) quiet: bool,
 }
 
+/// Flags of `report`.
+#[cfg(feature = "report")]
+#[derive(Args, Debug)]
+pub(super) struct ReportArguments {
+    #[command(flatten)]
+    pub(super) scene: SceneArguments,
+    /// Folder for report.html, report.json, report.csv and the plots; `report` where neither it nor --json is given
+    #[arg(short, long, value_name = "DIR")]
+    pub(super) output: Option<PathBuf>,
+    /// Write the numbers alone to a file, or - for standard output
+    #[arg(long, value_name = "FILE|-")]
+    pub(super) json: Option<PathBuf>,
+    /// Two cases and less of everything, in under twenty seconds
+    #[arg(long)]
+    pub(super) quick: bool,
+    /// Points measured with other programs (JSON), drawn in the same plots
+    #[arg(long, value_name = "FILE")]
+    pub(super) peers: Option<PathBuf>,
+    /// Say nothing but errors
+    #[arg(long)]
+    pub(super) quiet: bool,
+}
+
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum LayoutName {
     Both,
@@ -128,6 +151,14 @@ enum Switch {
 }
 
 impl SceneArguments {
+    /// Whether anything is said of the body or its spin: a name, a file, or a flag.
+    #[cfg(feature = "report")]
+    pub(super) fn is_given(&self) -> bool {
+        let has_body = self.edges.is_some() || self.mass.is_some() || self.moments.is_some() || self.inertia.is_some();
+        let has_spin = self.omega.is_some() || self.axis.is_some() || self.tilt.is_some() || self.rate.is_some();
+        self.scene.is_some() || has_body || has_spin
+    }
+
     /// Reads the scene, applies the overrides and checks the whole. Warnings go to standard error.
     pub(super) fn scene(&self, view: Option<&ViewArguments>, is_quiet: bool) -> Result<Scene, Failure> {
         Ok(self.named_scene(view, is_quiet)?.0)
@@ -187,6 +218,7 @@ impl SceneArguments {
                 mass: None,
                 moments: self.moments,
                 inertia: self.inertia,
+                ..Default::default()
             };
         }
         override_with(&mut body.mass, self.mass);

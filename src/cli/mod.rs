@@ -3,6 +3,7 @@
 mod arguments;
 mod failure;
 mod lists;
+mod manual;
 mod output;
 #[cfg(feature = "picture")]
 mod picture;
@@ -10,6 +11,9 @@ mod picture;
 mod quiet_driver;
 #[cfg(feature = "picture")]
 mod record;
+#[cfg(feature = "report")]
+mod report;
+mod signal;
 mod trace;
 
 use std::process::ExitCode;
@@ -24,7 +28,13 @@ use failure::Failure;
 /// Without a command it opens the window on SCENE. Every command lists its own flags and examples:
 /// `dzhanibekov shot --help`.
 #[derive(Parser, Debug)]
-#[command(version, args_conflicts_with_subcommands = true, infer_long_args = false, max_term_width = 100)]
+#[command(
+    version,
+    args_conflicts_with_subcommands = true,
+    args_override_self = true,
+    infer_long_args = false,
+    max_term_width = 100
+)]
 #[command(after_help = "Examples:
   dzhanibekov                                   the window, on the scene `flip`
   dzhanibekov --box 0.2,0.12,0.04 --axis 2 --tilt 0.01 --rate 6
@@ -72,6 +82,13 @@ enum Command {
   dzhanibekov trace --moments 0.5,0.85,1 --omega 0.4,1.176470588235294,0.4 --method buss --step 0.001 --at 30
   dzhanibekov trace flip --every 0.01 --duration 10 -o flip.csv")]
     Trace(Box<trace::TraceArguments>),
+    #[cfg(feature = "report")]
+    /// Measure every method here: speed against error, as a page, tables and plots
+    #[command(after_help = "Examples:
+  dzhanibekov report -o report                  report/report.html and the rest
+  dzhanibekov report --quick --json -           the numbers of two cases
+  dzhanibekov report flip --peers peers.json    a scene besides, and other programs' points")]
+    Report(Box<arguments::ReportArguments>),
     /// List the scenes built in
     Scenes(lists::ListArguments),
     /// List the methods
@@ -79,6 +96,12 @@ enum Command {
     #[cfg(feature = "picture")]
     /// List the graphics adapters
     Adapters(lists::ListArguments),
+    /// Write the man page to standard output: dzhanibekov man | man -l -
+    #[command(hide = true)]
+    Man,
+    /// Write completions for a shell to standard output
+    #[command(hide = true)]
+    Completions(manual::CompletionArguments),
 }
 
 /// Runs the program and turns its outcome into the exit code: 0 done, 1 it could not, 2 the request was wrong.
@@ -110,10 +133,14 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         #[cfg(feature = "picture")]
         Some(Command::Record(recording)) => record::run(&recording),
         Some(Command::Trace(trace)) => trace::run(&trace),
+        #[cfg(feature = "report")]
+        Some(Command::Report(report)) => report::run(&report),
         Some(Command::Scenes(list)) => lists::scenes(&list),
         Some(Command::Methods(list)) => lists::methods(&list),
         #[cfg(feature = "picture")]
         Some(Command::Adapters(list)) => picture::adapters(&list),
+        Some(Command::Man) => manual::man(),
+        Some(Command::Completions(completions)) => manual::completions(&completions),
     }
 }
 

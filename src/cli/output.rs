@@ -5,6 +5,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
+use super::signal;
 
 /// Writes what `write` writes to a file, or to standard output where the path is `-`.
 ///
@@ -47,7 +48,11 @@ impl WholeFile {
         beside.push(name);
         beside.push(format!(".part-{}", std::process::id()));
         let beside = path.with_file_name(beside);
-        let file = File::create(&beside).map_err(|error| io_failure(path, &error))?;
+        signal::begin(&beside);
+        let file = File::create(&beside).map_err(|error| {
+            signal::end(&beside);
+            io_failure(path, &error)
+        })?;
         Ok(Self { path: path.to_owned(), beside, writer: BufWriter::new(file) })
     }
 
@@ -82,6 +87,7 @@ impl Drop for WholeFile {
     fn drop(&mut self) {
         // After the renaming there is nothing to remove; before it, what is left has no value.
         let _ = fs::remove_file(&self.beside);
+        signal::end(&self.beside);
     }
 }
 

@@ -15,6 +15,7 @@ use super::failure::Failure;
 use super::lists::{ListArguments, print, table};
 use super::output::{check_place, io_failure, write_whole};
 use super::quiet_driver::keep_quiet;
+use super::signal;
 
 impl From<HeadlessError> for Failure {
     fn from(error: HeadlessError) -> Self {
@@ -35,6 +36,7 @@ pub(super) struct ShotArguments {
 /// `shot`: everything that can be refused is refused before anything is drawn.
 pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     keep_quiet();
+    signal::end_at_once()?;
     let picture = &arguments.picture;
     let (scene, words) = picture_scene(picture)?;
     check_place(&arguments.output)?;

@@ -9,6 +9,7 @@ use dzhanibekov::physics::{Body, Integration, State};
 use super::arguments::{SceneArguments, number_list};
 use super::failure::Failure;
 use super::output::{io_failure, write_whole};
+use super::signal;
 
 const HEADER: &str = "t,r11,r12,r13,r21,r22,r23,r31,r32,r33,M1,M2,M3,W1,W2,W3,L1,L2,L3,energy\n";
 const DEFAULT_EVERY: f64 = 0.01;
@@ -49,6 +50,7 @@ fn times(text: &str) -> Result<Times, String> {
 }
 
 pub(super) fn run(arguments: &TraceArguments) -> Result<(), Failure> {
+    signal::end_at_once()?;
     let scene = arguments.scene.scene(None, arguments.quiet)?;
     let mut integration = Integration::new(scene.method, &scene.body, scene.start, scene.step);
     let every = arguments.every.unwrap_or(DEFAULT_EVERY);

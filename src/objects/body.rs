@@ -3,7 +3,7 @@
 use glam::{Mat3, Vec2, Vec3};
 
 use super::{Context, mesh};
-use crate::frame::{Color, Line, Mesh, Solid, View, single, single_matrix};
+use crate::frame::{Color, Line, Mesh, Solid, Vertex, View, single, single_matrix};
 use crate::physics::State;
 use crate::scene::PartKind;
 
@@ -13,7 +13,8 @@ const ROUND: u32 = 72;
 const RINGS: usize = 48;
 
 pub(super) fn draw(context: &Context<'_>, view: &mut View) {
-    let mesh = mesh_of(context, context.simulation.state(), context.palette.faces);
+    let mut mesh = mesh_of(context, context.simulation.state(), context.palette.faces);
+    add_marks(context, &mut mesh);
     view.solids.push(Solid { mesh, opaque: true });
     edges(context, context.simulation.state(), view, context.palette.background.alpha(0.55), 1.6);
 }
@@ -28,7 +29,7 @@ pub(super) fn mesh_of(context: &Context<'_>, state: &State, colors: [[Color; 3];
         match kind {
             PartKind::Box => {
                 let of = |sign: f32| Vec3::AXES.map(|axis| color(axis * sign));
-                mesh::add_box(&mut mesh, centre, map, Vec3::ONE, [of(1.0), of(-1.0)]);
+                mesh::add_box(&mut mesh, centre, map, [of(1.0), of(-1.0)]);
             }
             PartKind::Cylinder => {
                 let rim = [Vec2::new(0.0, -1.0), Vec2::new(1.0, -1.0), Vec2::new(1.0, 1.0), Vec2::new(0.0, 1.0)];
@@ -43,6 +44,34 @@ pub(super) fn mesh_of(context: &Context<'_>, state: &State, colors: [[Color; 3];
         }
     }
     mesh
+}
+
+/// A triangle on each of the two largest faces of a single box, pointing along the middle axis: the eye sees it turn over.
+fn add_marks(context: &Context<'_>, mesh: &mut Mesh) {
+    let principal_from_body = single_matrix(context.simulation.body().body_from_principal().transpose());
+    let mut parts = placed_parts(context, context.simulation.state());
+    let (Some((centre, map, PartKind::Box, body_from_part)), None) = (parts.next(), parts.next()) else { return };
+    let half = Vec3::new(map.x_axis.length(), map.y_axis.length(), map.z_axis.length());
+    let thin = half.min_position();
+    let middle = (principal_from_body * body_from_part).transpose().y_axis;
+    let along = middle.abs().max_position();
+    if along == thin {
+        return;
+    }
+    let aside = 3 - along - thin;
+    let reach = half[along].min(half[aside]);
+    let direction = map.col(along) * (reach / half[along] * middle[along].signum());
+    let across = map.col(aside) * (reach / half[aside]);
+    for sign in [1.0, -1.0] {
+        // Just off the face, so that it is not lost in it.
+        let face = centre + map.col(thin) * (sign * (1.0 + 0.003 / half[thin]));
+        let normal = (map.col(thin) * sign).normalize_or_zero();
+        let base = mesh.vertices.len() as u32;
+        let corners = [direction * 0.52, across * 0.45 - direction * 0.3, across * -0.45 - direction * 0.3];
+        let color = context.palette.face_mark;
+        mesh.vertices.extend(corners.map(|corner| Vertex { position: face + corner, normal, color }));
+        mesh.indices.extend([base, base + 1, base + 2]);
+    }
 }
 
 /// The edges of the boxes of the body in this state.

@@ -78,7 +78,7 @@ pub(super) fn rolling_ellipsoid(context: &Context<'_>, view: &mut View) {
     let color = context.palette.polhode;
     let curve = poinsot::angular_velocity_polhode(body, state.body_momentum, super::polhode::POINTS);
     let points = curve.into_iter().map(|omega| world_from_body * single(omega * -context.per_radian()));
-    view.lines.push(Line::new(points, 3.0, color).through(0.3));
+    view.lines.push(Line::new(points, 3.0, color).through(0.6));
     let position = -context.world_angular_velocity(state.world_angular_velocity(body));
     let rim = context.palette.background;
     let color = context.palette.omega;
@@ -104,7 +104,7 @@ pub(super) fn herpolhode(context: &Context<'_>, view: &mut View) {
             points.push(LinePoint { position, color: color.fade(strength) });
         }
     }
-    view.lines.push(Line { points, ..Line::new([], 2.2, color).through(0.4) });
+    view.lines.push(Line { points, ..Line::new([], 2.2, color).through(0.6) });
 }
 
 /// The two circles that the herpolhode touches in turn.

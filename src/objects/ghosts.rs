@@ -7,20 +7,20 @@ use crate::frame::{Color, Dash, Label, Line, Mark, Point, Solid, View};
 use crate::physics::{METHODS, Method, poinsot};
 use crate::scene::Theme;
 
-/// Colours by the place of a method in the table: Okabe–Ito's, then two more.
+/// Colours by the place of a method in the table: near Okabe–Ito's, then two more.
 const COLORS: [u32; 9] = [
-    0x00d5_5e00,
-    0x00cc_79a7,
-    0x0000_9e73,
-    0x00e6_9f00,
+    0x00e5_6a0c,
+    0x00d6_86b4,
+    0x0000_b080,
     0x0056_b4e9,
-    0x0000_72b2,
-    0x00b8_a7e0,
+    0x00e6_b400,
+    0x0030_80d0,
+    0x00b0_98e8,
     0x00f0_e442,
-    0x00a0_a0a0,
+    0x00a8_a8a8,
 ];
 /// Opacity of a ghost's faces, reached where it lies this far from the body.
-const OPACITY: f32 = 0.25;
+const OPACITY: f32 = 0.17;
 const APART: f32 = 0.2;
 const MARKS: [Mark; 5] = [Mark::Square, Mark::Triangle, Mark::Diamond, Mark::Ring, Mark::Disc];
 

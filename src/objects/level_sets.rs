@@ -1,14 +1,17 @@
 //! The energy over the whole momentum sphere: the paths of the other motions with the same |M|, faint.
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use super::Context;
+use super::curve::simplified;
 use crate::frame::{Line, View};
 use crate::physics::{Body, poinsot};
 
 /// Paths round each stable pole.
 const PATHS: u32 = 3;
-const POINTS: usize = 72;
+const POINTS: usize = 180;
+/// A third of a pixel in a picture 2160 pixels high.
+const TOLERANCE: f32 = 4e-4;
 
 pub(super) fn draw(context: &Context<'_>, view: &mut View) {
     let body = context.simulation.body();
@@ -17,10 +20,12 @@ pub(super) fn draw(context: &Context<'_>, view: &mut View) {
     }
     let color = context.palette.ink.alpha(0.22);
     for momentum in momenta(body) {
+        let curve = poinsot::polhode(body, body.body_from_principal() * momentum, POINTS);
+        let points: Vec<Vec3> = curve.into_iter().map(|m| context.principal(m)).collect();
+        let points = simplified(&points, TOLERANCE);
+        // The same path round the other end of the axis.
         for sign in [1.0, -1.0] {
-            let curve = poinsot::polhode(body, body.body_from_principal() * (momentum * sign), POINTS);
-            let points = curve.into_iter().map(|m| context.principal(m));
-            view.lines.push(Line::new(points, 1.3, color).through(0.3));
+            view.lines.push(Line::new(points.iter().map(|point| point * sign), 1.3, color).through(0.3));
         }
     }
 }

@@ -13,9 +13,9 @@ pub(super) fn add_quad(mesh: &mut Mesh, corners: [Vec3; 4], normal: Vec3, color:
     mesh.indices.extend([0, 1, 2, 0, 2, 3].map(|index| base + index));
 }
 
-/// The box of these half edges under a linear map (which may shear) about a centre; one colour for each of the
+/// The cube of half edge 1 under a linear map (which may shear) about a centre; one colour for each of the
 /// faces +x, +y, +z and −x, −y, −z.
-pub(super) fn add_box(mesh: &mut Mesh, centre: Vec3, map: Mat3, half: Vec3, colors: [[Color; 3]; 2]) {
+pub(super) fn add_box(mesh: &mut Mesh, centre: Vec3, map: Mat3, colors: [[Color; 3]; 2]) {
     // Normals go by the inverse transpose, which for normals to be scaled anyway is the cofactor matrix.
     let cofactors =
         Mat3::from_cols(map.y_axis.cross(map.z_axis), map.z_axis.cross(map.x_axis), map.x_axis.cross(map.y_axis));
@@ -23,7 +23,7 @@ pub(super) fn add_box(mesh: &mut Mesh, centre: Vec3, map: Mat3, half: Vec3, colo
         for (axis, color) in side.into_iter().enumerate() {
             let unit = |i: usize| Vec3::AXES[(axis + i) % 3];
             let (outward, u, v) = (unit(0) * sign, unit(1), unit(2) * sign);
-            let corners = [-u - v, u - v, u + v, v - u].map(|c| centre + map * ((outward + c) * half));
+            let corners = [-u - v, u - v, u + v, v - u].map(|c| centre + map * (outward + c));
             let normal = (cofactors * outward).normalize_or_zero();
             add_quad(mesh, corners, normal, color);
         }

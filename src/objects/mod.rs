@@ -7,6 +7,7 @@ mod axes;
 mod body;
 mod body_axes;
 mod context;
+mod curve;
 mod floor;
 mod ghosts;
 mod layout;
@@ -100,8 +101,18 @@ pub fn build_frame(simulation: &Simulation, settings: &scene::View, cameras: &Ca
         .into_iter()
         .map(|(space, area)| {
             let mut view = View::new(area, *cameras.of(space));
+            if space == Space::Body {
+                view.camera.distance *= surfaces::room(&context);
+            }
             for object in OBJECTS.iter().filter(|object| object.space == space && is_shown(object, settings)) {
                 (object.draw)(&context, &mut view);
+            }
+            if space == Space::Body {
+                // On the round surfaces of momentum space a flat stroke dips in near the outline; no thin body is there
+                // for it to shine through.
+                for line in &mut view.lines {
+                    line.lift = 0.014;
+                }
             }
             if !settings.labels {
                 view.labels.clear();

@@ -5,7 +5,7 @@ use glam::{DVec3, Mat3, Vec2, Vec3};
 
 use super::Context;
 use crate::frame::{Color, Label, Quadric, QuadricPair, View, single};
-use crate::physics::poinsot;
+use crate::physics::{Body, poinsot, so3};
 
 /// Directions of the picture among which the labels choose.
 const DIRECTIONS: u32 = 24;
@@ -47,6 +47,20 @@ pub(super) fn semi_axes(context: &Context<'_>) -> DVec3 {
 fn support(semi_axes: Vec3, direction: Vec3) -> Vec3 {
     let scaled = semi_axes * direction;
     semi_axes * scaled / scaled.length().max(1e-12)
+}
+
+/// Factor on the camera's distance that makes room for an ellipsoid that stands out of the sphere, as far as that leaves the
+/// sphere large enough.
+pub(super) fn room(context: &Context<'_>) -> f32 {
+    let scene = context.simulation.scene();
+    let ell = so3::norm(scene.start.body_momentum);
+    let longest = if ell > 0.0 { energy_reach(&scene.body, scene.start.body_momentum / ell) } else { 1.0 };
+    (longest / 1.3).clamp(1.0, 1.35)
+}
+
+/// The longest semi-axis of the energy ellipsoid through a momentum.
+fn energy_reach(body: &Body, momentum: DVec3) -> f32 {
+    single(poinsot::energy_semi_axes(body, body.energy(momentum))).max_element()
 }
 
 fn add(view: &mut View, quadric: Quadric) {

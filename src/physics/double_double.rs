@@ -61,12 +61,20 @@ impl DoubleDouble {
         Self { high: self.high * factor, low: self.low * factor }
     }
 
-    /// The part beyond the nearest whole number, in `[−½, ½]`.
-    pub(crate) fn fraction(self) -> f64 {
-        let high = self.high - self.high.round();
-        let sum = high + (self.low - self.low.round());
-        sum - sum.round()
+    /// The part of `self × factor` beyond the nearest whole number, in `[−½, ½]`.
+    pub(crate) fn fraction_of_product(self, factor: f64) -> f64 {
+        let product = Self::product(self.high, factor);
+        let low = product.low + self.low * factor;
+        beyond_whole(beyond_whole(product.high) + beyond_whole(low))
     }
+}
+
+/// `x` less the nearest whole number. By addition of 2⁵² and a half of that, whose last place is 1: without the instruction
+/// for it, which not every processor has, rounding is a call that costs as much as a division.
+pub(crate) fn beyond_whole(x: f64) -> f64 {
+    const SHIFT: f64 = 6_755_399_441_055_744.0;
+    const WHOLE_FROM: f64 = 2_251_799_813_685_248.0;
+    if x.abs() < WHOLE_FROM { x - ((x + SHIFT) - SHIFT) } else { x - x.round() }
 }
 
 /// `a = a₁ + a₂` with 26 bits in each.

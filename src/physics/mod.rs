@@ -12,6 +12,7 @@ pub mod motion;
 mod orbit;
 pub mod poinsot;
 pub mod so3;
+pub mod solids;
 
 pub use body::{Body, BodyError};
 pub use exact::Motion;

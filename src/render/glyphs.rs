@@ -5,7 +5,9 @@ use std::collections::HashMap;
 use ab_glyph::{Font, FontRef, GlyphId, ScaleFont};
 
 /// Width and height of the atlas in pixels.
-const SIDE: u32 = 1024;
+const SIDE: u32 = 2048;
+/// Largest em in pixels: beyond it the atlas would hold too few glyphs.
+const LARGEST: f32 = 220.0;
 /// Free pixels round each glyph.
 const PADDING: u32 = 1;
 /// Size and drop of an index, in parts of the text's size.
@@ -61,9 +63,11 @@ impl Glyphs {
         }
     }
 
-    /// The atlas, if it changed since the last call.
-    pub(super) fn take_changed(&mut self) -> Option<&[u8]> {
-        std::mem::take(&mut self.changed).then_some(&self.pixels)
+    /// The filled rows of the atlas, if they changed since the last call.
+    pub(super) fn take_changed(&mut self) -> Option<(u32, &[u8])> {
+        let rows = self.shelf[1] + self.shelf[2];
+        let filled = self.pixels.get(..(rows * SIDE) as usize)?;
+        (std::mem::take(&mut self.changed) && rows > 0).then_some((rows, filled))
     }
 
     /// Empties an atlas that has run full, so that the sizes now in use find room.
@@ -78,7 +82,7 @@ impl Glyphs {
     /// Lays a text out on one line, `size` pixels an em. Index digits
     /// (₁) are digits set smaller and lower, whether the font has them or not.
     pub(super) fn lay_out(&mut self, text: &str, size: f32) -> TextLine {
-        let size = size * self.fonts.first().and_then(height_per_em).unwrap_or(1.0);
+        let size = size.min(LARGEST) * self.fonts.first().and_then(height_per_em).unwrap_or(1.0);
         let Some(first) = self.fonts.first() else { return TextLine { glyphs: vec![], extent: [0.0; 2] } };
         let scaled = first.as_scaled(size);
         let (ascent, height) = (scaled.ascent(), scaled.height());

@@ -42,10 +42,15 @@ pub(super) fn place(
         let ndc = Vec2::new(clip.x, clip.y) / clip.w;
         (clip.w > NEAR && ndc.abs().max_element() <= 1.0).then(|| (ndc * Vec2::new(0.5, -0.5) + 0.5) * pixels)
     };
-    let marks: Vec<Box2> = view
-        .points
-        .iter()
-        .filter_map(|mark| Some(Box2::around(project(mark.position)?, Vec2::splat(0.5 * mark.size * point))))
+    let marks = view.points.iter().map(|mark| (mark.position, 0.5 * mark.size));
+    // Straight strokes, as axes are, count by some places along them.
+    let strokes = view.lines.iter().filter(|line| line.points.len() == 2).flat_map(|line| {
+        let [from, to] = [line.points[0].position, line.points[1].position];
+        [0.1, 0.35, 0.6, 0.85].map(|part| (from.lerp(to, part), line.width))
+    });
+    let marks: Vec<Box2> = marks
+        .chain(strokes)
+        .filter_map(|(position, half)| Some(Box2::around(project(position)?, Vec2::splat(half * point))))
         .collect();
     let mut order: Vec<usize> = (0..view.labels.len().min(extents.len())).collect();
     order.sort_by_key(|&number| std::cmp::Reverse(view.labels[number].priority));

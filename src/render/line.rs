@@ -11,20 +11,22 @@ use crate::frame::{Dash, Frame, Line};
 /// `Segment` of shaders/line.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct SegmentData {
+pub(super) struct SegmentData {
     before: [f32; 3],
     start: [f32; 3],
     end: [f32; 3],
     after: [f32; 3],
     style: [f32; 4],
-    along: [f32; 2],
+    along: [f32; 3],
     colors: [[f32; 4]; 2],
 }
 
-/// Draws the lines of a frame: where they are hidden at their own fainter strength, then where they are seen.
+/// Draws the lines of a frame; where they are hidden, at their own fainter strength.
 pub(super) struct Lines {
     seen: wgpu::RenderPipeline,
     hidden: wgpu::RenderPipeline,
+    /// At the strength of hidden ones, but hidden wholly by opaque bodies.
+    inside: wgpu::RenderPipeline,
     segments: QuadBuffer,
     views: Vec<Range<u32>>,
 }
@@ -42,7 +44,7 @@ impl Lines {
                     step_mode: wgpu::VertexStepMode::Vertex,
                     attributes: &wgpu::vertex_attr_array![
                         0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3,
-                        4 => Float32x4, 5 => Float32x2, 6 => Float32x4, 7 => Float32x4
+                        4 => Float32x4, 5 => Float32x3, 6 => Float32x4, 7 => Float32x4
                     ],
                 }),
                 group: None,
@@ -54,6 +56,7 @@ impl Lines {
         Self {
             seen: pipeline("lines", "vertex_seen", wgpu::CompareFunction::GreaterEqual),
             hidden: pipeline("hidden lines", "vertex_hidden", wgpu::CompareFunction::Less),
+            inside: pipeline("lines inside", "vertex_hidden", wgpu::CompareFunction::GreaterEqual),
             segments: QuadBuffer::new("line segments"),
             views: vec![],
         }
@@ -72,12 +75,28 @@ impl Lines {
         self.segments.write(device, queue, &segments);
     }
 
-    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+    /// Between the far and the near walls of hollow surfaces with a body in them: what of the lines shows through the
+    /// near walls, and not through the body.
+    pub(super) fn draw_inside(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+        self.draw_with(pass, view, &[&self.inside]);
+    }
+
+    /// Where they are seen.
+    pub(super) fn draw_seen(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+        self.draw_with(pass, view, &[&self.seen]);
+    }
+
+    /// Where they are hidden, whatever hides them, and then where they are seen.
+    pub(super) fn draw_all(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+        self.draw_with(pass, view, &[&self.hidden, &self.seen]);
+    }
+
+    fn draw_with(&self, pass: &mut wgpu::RenderPass<'_>, view: usize, pipelines: &[&wgpu::RenderPipeline]) {
         let Some(range) = self.views.get(view).filter(|range| !range.is_empty()) else { return };
         if !self.segments.bind(pass) {
             return;
         }
-        for pipeline in [&self.hidden, &self.seen] {
+        for pipeline in pipelines {
             pass.set_pipeline(pipeline);
             QuadBuffer::draw(pass, range.clone());
         }
@@ -106,7 +125,7 @@ fn append(line: &Line, segments: &mut Vec<SegmentData>) {
             end: end.position.to_array(),
             after: after.position.to_array(),
             style: [line.width, line.hidden, period, kind],
-            along: [along, next],
+            along: [along, next, line.lift],
             colors: [start.color.0, end.color.0],
         });
         along = next;

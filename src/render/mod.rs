@@ -4,6 +4,8 @@ mod buffer;
 mod glyphs;
 mod gpu;
 mod labels;
+#[cfg(test)]
+mod layout_test;
 mod line;
 mod pipeline;
 mod point;

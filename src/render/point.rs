@@ -11,7 +11,7 @@ use crate::frame::{Frame, Mark};
 /// `Mark` of shaders/point.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct MarkData {
+pub(super) struct MarkData {
     position: [f32; 3],
     style: [f32; 3],
     color: [f32; 4],

@@ -13,16 +13,17 @@ use crate::frame::{Frame, Quadric, QuadricPair};
 /// `Pair` of shaders/quadrics.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct PairUniform {
-    quadrics: [QuadricData; 2],
-    choice: Vec4,
+pub(super) struct PairUniform {
+    pub(super) first: QuadricData,
+    pub(super) second: QuadricData,
+    pub(super) choice: Vec4,
 }
 
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct QuadricData {
-    unit_from_world: Mat4,
-    color: [f32; 4],
+pub(super) struct QuadricData {
+    pub(super) unit_from_world: Mat4,
+    pub(super) color: [f32; 4],
 }
 
 /// Draws the quadrics of a frame.
@@ -103,14 +104,27 @@ impl Quadrics {
         }
     }
 
-    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        let (Some(corners), Some(draws)) = (self.corners.get(), self.views.get(view)) else { return };
-        for draw in draws {
+    /// Draws the far walls of the hollow ones; false where there are none.
+    pub(super) fn draw_far_walls(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) -> bool {
+        self.draw(pass, view, true)
+    }
+
+    /// Draws all the rest.
+    pub(super) fn draw_near_walls(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+        self.draw(pass, view, false);
+    }
+
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize, far_only: bool) -> bool {
+        let (Some(corners), Some(draws)) = (self.corners.get(), self.views.get(view)) else { return false };
+        let mut any = false;
+        for draw in draws.iter().filter(|draw| draw.far_only == far_only) {
+            any = true;
             pass.set_pipeline(if draw.far_only { &self.far_walls } else { &self.hiding });
             pass.set_vertex_buffer(0, corners.slice(..));
             self.uniforms.bind(pass, 1, draw.number);
             pass.draw(draw.corners.clone(), 0..1);
         }
+        any
     }
 }
 
@@ -118,7 +132,8 @@ fn pair_uniform(pair: &QuadricPair, [near, far]: [f32; 2]) -> PairUniform {
     let data = |quadric: Quadric| QuadricData { unit_from_world: quadric.unit_from_world, color: quadric.color.0 };
     let second = pair.second.unwrap_or(pair.first);
     PairUniform {
-        quadrics: [data(pair.first), data(second)],
+        first: data(pair.first),
+        second: data(second),
         choice: Vec4::new(f32::from(pair.second.is_some()), near, far, 0.0),
     }
 }

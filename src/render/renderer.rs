@@ -18,10 +18,11 @@ use crate::frame::Frame;
 /// took half as long again with no GPU, and a transparent picture then looked another on a slide.)
 pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// Pixels a point in a picture of this size, so that it looks the same at each size of one aspect: 1 at 1280×720.
+/// Pixels a point in a picture of this size, so that it looks the same at each size of one aspect: 1 at 1280×720 and
+/// at 720×1280.
 #[must_use]
 pub fn point_size([width, height]: [u32; 2]) -> f32 {
-    (width as f32 / 1280.0).min(height as f32 / 720.0)
+    (width.max(height) as f32 / 1280.0).min(width.min(height) as f32 / 720.0)
 }
 
 /// The pipelines and the reused buffers. One serves window and file alike.
@@ -99,8 +100,16 @@ impl Renderer {
                 pass.set_viewport(corner.x, corner.y, extent.x, extent.y, 0.0, 1.0);
                 self.views.bind(&mut pass, 0, number);
                 self.solids.draw(&mut pass, number);
-                self.quadrics.draw(&mut pass, number);
-                self.lines.draw(&mut pass, number);
+                let hollow = self.quadrics.draw_far_walls(&mut pass, number);
+                if hollow {
+                    self.lines.draw_inside(&mut pass, number);
+                }
+                self.quadrics.draw_near_walls(&mut pass, number);
+                if hollow {
+                    self.lines.draw_seen(&mut pass, number);
+                } else {
+                    self.lines.draw_all(&mut pass, number);
+                }
                 self.points.draw(&mut pass, number);
                 self.texts.draw(&mut pass, number);
             }

@@ -10,7 +10,7 @@ use crate::frame::{Frame, Solid, View};
 
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct VertexData {
+pub(super) struct VertexData {
     position: [f32; 3],
     normal: [f32; 3],
     color: [f32; 4],

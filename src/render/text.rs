@@ -20,7 +20,7 @@ const HALO_OPACITY: f32 = 0.8;
 /// `Glyph` of shaders/text.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct GlyphData {
+pub(super) struct GlyphData {
     place: [f32; 4],
     source: [f32; 3],
     color: [f32; 4],
@@ -124,10 +124,10 @@ impl Texts {
             self.views.push(start..instances.len() as u32);
         }
         self.instances.write(device, queue, &instances);
-        if let Some(pixels) = self.glyphs.take_changed() {
+        if let Some((rows, pixels)) = self.glyphs.take_changed() {
             let layout =
                 wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(Glyphs::SIDE), rows_per_image: None };
-            queue.write_texture(self.atlas.as_image_copy(), pixels, layout, extent([Glyphs::SIDE; 2]));
+            queue.write_texture(self.atlas.as_image_copy(), pixels, layout, extent([Glyphs::SIDE, rows]));
         }
     }
 

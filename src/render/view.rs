@@ -11,13 +11,13 @@ use crate::frame::View;
 #[repr(C)]
 pub(super) struct ViewUniform {
     pub(super) clip_from_world: Mat4,
-    ray_right: Vec4,
-    ray_up: Vec4,
-    ray_forward: Vec4,
-    eye: Vec4,
-    key_light: Vec4,
-    fill_light: Vec4,
-    metrics: Vec4,
+    pub(super) ray_right: Vec4,
+    pub(super) ray_up: Vec4,
+    pub(super) ray_forward: Vec4,
+    pub(super) eye: Vec4,
+    pub(super) key_light: Vec4,
+    pub(super) fill_light: Vec4,
+    pub(super) metrics: Vec4,
 }
 
 const AMBIENT: f32 = 0.24;

@@ -2,39 +2,13 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use super::{SceneFile, View, nearest};
-use crate::physics::{self, Body, BodyError, METHODS, Method, State, methods::DEFAULT_METHOD};
+use super::{Part, PartKind, SceneFile, View, nearest, parts};
+use crate::physics::{self, Body, BodyError, METHODS, Method, State, methods::DEFAULT_METHOD, solids::SolidError};
 
 /// Step (s) of a scene that names none.
 const DEFAULT_STEP: f64 = 0.001;
 /// Edges (m) of the body of a scene that names none.
 const DEFAULT_EDGES: [f64; 3] = [0.2, 0.12, 0.04];
-/// Thinnest part drawn, as a fraction of the longest edge, where no solid box has the moments.
-const THINNEST: f64 = 0.02;
-
-/// A form that a part of the body has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PartKind {
-    /// A rectangular box.
-    Box,
-    /// A cylinder along its own z axis.
-    Cylinder,
-    /// An ellipsoid.
-    Ellipsoid,
-}
-
-/// A part of the body, as it is drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Part {
-    /// Its form.
-    pub kind: PartKind,
-    /// Full extents (m) along its own axes.
-    pub size: DVec3,
-    /// Its centre (m) in the body frame, from the body's centre of mass.
-    pub centre: DVec3,
-    /// Its orientation: takes the part's own axes to the body's.
-    pub body_from_part: DMat3,
-}
 
 /// A scene that can be run.
 #[derive(Clone, Debug)]
@@ -71,11 +45,17 @@ pub enum SceneError {
     /// The body is no body.
     #[error(transparent)]
     Body(#[from] BodyError),
+    /// The solids make no body.
+    #[error(transparent)]
+    Solid(#[from] SolidError),
+    /// A cylinder that is not round.
+    #[error("a cylinder's size {0:?} x {1:?} is not round: its first two extents are its diameter, twice the same")]
+    NotRound(f64, f64),
     /// More than one description of the body.
-    #[error("the body is given by {0} at once: give one of box, moments, inertia")]
+    #[error("the body is given by {0} at once: give one of box, moments, inertia, solids")]
     TwoBodies(String),
     /// A mass with a body that is not a box.
-    #[error("mass {0:?} kg goes with a box only: moments and inertia hold the mass already")]
+    #[error("mass {0:?} kg goes with a box only: moments, inertia and solids hold the mass already")]
     MassWithoutBox(f64),
     /// Two descriptions of the spin.
     #[error("the spin is given by omega and by {0} at once: give omega, or axis with tilt and rate")]
@@ -137,37 +117,36 @@ impl Scene {
 }
 
 fn check_body(file: &SceneFile) -> Result<(Body, Vec<Part>), SceneError> {
-    let part = &file.body;
-    let given: Vec<&str> =
-        [("box", part.edges.is_some()), ("moments", part.moments.is_some()), ("inertia", part.inertia.is_some())]
-            .into_iter()
-            .filter_map(|(name, is_given)| is_given.then_some(name))
-            .collect();
-    if given.len() > 1 {
-        return Err(SceneError::TwoBodies(given.join(" and ")));
+    let given = &file.body;
+    let names = [
+        ("box", given.edges.is_some()),
+        ("moments", given.moments.is_some()),
+        ("inertia", given.inertia.is_some()),
+        ("solids", !given.solids.is_empty()),
+    ];
+    let names: Vec<&str> = names.into_iter().filter_map(|(name, is_given)| is_given.then_some(name)).collect();
+    if names.len() > 1 {
+        return Err(SceneError::TwoBodies(names.join(" and ")));
     }
-    if let (Some(mass), None, true) = (part.mass, part.edges, !given.is_empty()) {
+    let is_box = names.is_empty() || given.edges.is_some();
+    if let (Some(mass), false) = (given.mass, is_box) {
         return Err(SceneError::MassWithoutBox(mass));
     }
-    let body = if let Some(moments) = part.moments {
-        Body::from_moments(DVec3::from_array(moments))?
-    } else if let Some([xx, yy, zz, xy, xz, yz]) = part.inertia {
-        Body::from_tensor(DMat3::from_cols_array(&[xx, xy, xz, xy, yy, yz, xz, yz, zz]))?
-    } else {
-        let edges = DVec3::from_array(part.edges.unwrap_or(DEFAULT_EDGES));
-        let body = Body::solid_box(edges, part.mass.unwrap_or(1.0))?;
-        let drawn = Part { kind: PartKind::Box, size: edges, centre: DVec3::ZERO, body_from_part: DMat3::IDENTITY };
-        return Ok((body, vec![drawn]));
+    if !given.solids.is_empty() {
+        return parts::of_solids(&given.solids);
+    }
+    if is_box {
+        let edges = DVec3::from_array(given.edges.unwrap_or(DEFAULT_EDGES));
+        let body = Body::solid_box(edges, given.mass.unwrap_or(1.0))?;
+        return Ok((body, vec![Part::centred(PartKind::Box, edges, DMat3::IDENTITY)]));
+    }
+    let body = match (given.moments, given.inertia) {
+        (_, Some([xx, yy, zz, xy, xz, yz])) => {
+            Body::from_tensor(DMat3::from_cols_array(&[xx, xy, xz, xy, yy, yz, xz, yz, zz]))?
+        }
+        (moments, None) => Body::from_moments(DVec3::from_array(moments.unwrap_or_default()))?,
     };
-    // Of all solids with these moments the box of uniform density is drawn.
-    let edges = body.equivalent_box(1.0);
-    let drawn = Part {
-        kind: PartKind::Box,
-        size: edges.max(DVec3::splat(THINNEST * edges.max_element())),
-        centre: DVec3::ZERO,
-        body_from_part: body.body_from_principal(),
-    };
-    Ok((body, vec![drawn]))
+    Ok((body, vec![parts::equivalent(&body, given.form.unwrap_or(PartKind::Box))]))
 }
 
 fn check_start(file: &SceneFile, body: &Body) -> Result<State, SceneError> {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Layout, SceneError, Theme, nearest};
+use super::{Layout, PartKind, SceneError, Theme, nearest};
 
 /// A scene file. Every part may be left out; [`super::Scene::check`] says what then holds.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -30,7 +30,7 @@ pub struct SceneFile {
     pub view: ViewFile,
 }
 
-/// The body: just one of `box`, `moments`, `inertia`.
+/// The body: just one of `box`, `moments`, `inertia`, `solids`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct BodyFile {
@@ -46,6 +46,35 @@ pub struct BodyFile {
     /// Inertia tensor (kg m²) as xx, yy, zz, xy, xz, yz.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inertia: Option<[f64; 6]>,
+    /// What is drawn of a body given by `moments` or `inertia`: the solid of this form that has them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub form: Option<PartKind>,
+    /// Solids that move as one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub solids: Vec<SolidFile>,
+}
+
+/// A solid of uniform density.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SolidFile {
+    /// Its form.
+    pub kind: PartKind,
+    /// Full extents (m) along its own axes; a cylinder's are its diameter twice and its length.
+    pub size: [f64; 3],
+    /// Where its centre is (m); the origin where left out.
+    #[serde(default)]
+    pub position: [f64; 3],
+    /// How it is turned from the body's axes: a rotation vector (degrees).
+    #[serde(default)]
+    pub rotation_deg: [f64; 3],
+    /// Density (kg/m³); that of water where left out.
+    #[serde(default = "water")]
+    pub density: f64,
+}
+
+fn water() -> f64 {
+    1000.0
 }
 
 /// The start: either `omega` or `axis`, `tilt_deg`, `rate`.

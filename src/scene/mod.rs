@@ -8,12 +8,14 @@ mod check;
 mod command;
 mod file;
 mod nearest;
+mod parts;
 mod presets;
 mod view;
 
-pub use check::{Part, PartKind, Scene, SceneError};
+pub use check::{Scene, SceneError};
 pub use command::{flags, quoted};
-pub use file::{BodyFile, MotionFile, SceneFile, SpinFile, ViewFile};
+pub use file::{BodyFile, MotionFile, SceneFile, SolidFile, SpinFile, ViewFile};
 pub use nearest::nearest;
+pub use parts::{Part, PartKind};
 pub use presets::{DEFAULT_PRESET, Preset, preset, presets};
 pub use view::{Layout, Theme, View};

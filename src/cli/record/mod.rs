@@ -7,8 +7,7 @@ use std::io::{self, BufWriter, Write};
 use std::num::NonZeroU32;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use clap::Args;
@@ -26,6 +25,7 @@ use super::failure::Failure;
 use super::output::{WholeFile, check_place, io_failure};
 use super::picture::{notes, options, picture_scene};
 use super::quiet_driver::keep_quiet;
+use super::signal;
 use ffmpeg::Ffmpeg;
 use pattern::Pattern;
 
@@ -78,7 +78,7 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
     let frames = frames_of(arguments)?;
     check_place(&arguments.output)?;
     let recording = Recording { shot: options(picture), start: picture.time, rate: arguments.fps, frames };
-    let stop = stop_on_signal()?;
+    let stop = signal::raise_flag()?;
     let count = recording.frames.end - recording.frames.start;
     let bar = progress_bar(count, picture.quiet);
     let begun = Instant::now();
@@ -273,15 +273,6 @@ fn frame_range(text: &str) -> Result<Range<u64>, String> {
         (Ok(start), Ok(end)) => Ok(start..end),
         _ => Err(wanted.to_owned()),
     }
-}
-
-/// A flag that Ctrl-C and the signal to end raise.
-fn stop_on_signal() -> Result<Arc<AtomicBool>, Failure> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let raised = Arc::clone(&stop);
-    ctrlc::set_handler(move || raised.store(true, Ordering::Relaxed))
-        .map_err(|error| Failure::could(format!("signals cannot be listened for: {error}")))?;
-    Ok(stop)
 }
 
 /// A bar on a terminal, nothing elsewhere.

@@ -36,7 +36,8 @@ pub(crate) struct Real {
 pub(crate) struct Complementary {
     /// `q′`.
     nome: f64,
-    /// `πK/2K′`: minus the logarithm of `√q′`.
+    /// `√q′` and minus its logarithm, `πK/2K′`.
+    pub(crate) root_of_nome: f64,
     pub(crate) decay: f64,
     factors: [f64; 3],
 }
@@ -102,7 +103,12 @@ impl Complementary {
         let third = 1.0 + 2.0 * (q + q4 + q9);
         let fourth = 1.0 - 2.0 * (q - q4 + q9);
         let second = 2.0 * (1.0 + q * q + q.powi(6));
-        Self { nome: q, decay: -root_of_nome.ln(), factors: [third / fourth, second / fourth, second / third] }
+        Self {
+            nome: q,
+            root_of_nome,
+            decay: -root_of_nome.ln(),
+            factors: [third / fourth, second / fourth, second / third],
+        }
     }
 
     /// `[sn, cn, dn]` for `0 ≤ u ≤ K` from `e = exp(−v)` and `p = √q′ exp(v)`, `v = πu/2K′`. Jacobi's imaginary

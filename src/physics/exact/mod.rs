@@ -36,10 +36,11 @@ use super::{Body, State};
 pub struct Motion {
     path: Path,
     start: State,
+    /// `R(0) P(0)ᵀ` with the share of ψ that belongs to `u₀`.
     world_from_start: DMat3,
     orbit_from_body: DMat3,
+    /// With the unit of momentum.
     body_from_orbit: DMat3,
-    momentum_unit: f64,
 }
 
 impl Motion {
@@ -51,22 +52,23 @@ impl Motion {
         let tail = principal_from_body * start.momentum_tail();
         let orbit = Orbit::new(body.principal_moments(), momentum, tail);
         let body_from_orbit = body.body_from_principal() * orbit.principal_from_standard;
+        let path = Path::new(&orbit);
+        let start_inverse = DMat3::from_quat(path.start_inverse());
         Self {
-            path: Path::new(&orbit),
+            path,
             start: *start,
-            world_from_start: start.world_from_body * body_from_orbit,
+            world_from_start: start.world_from_body * body_from_orbit * start_inverse,
             orbit_from_body: body_from_orbit.transpose(),
-            body_from_orbit,
-            momentum_unit: orbit.momentum_unit,
+            body_from_orbit: body_from_orbit * orbit.momentum_unit,
         }
     }
 
     /// Attitude `R`, `world_from_body`, and body momentum `M` (kg m²/s) at a time (s).
     #[must_use]
     pub fn at(&self, time: f64) -> (DMat3, DVec3) {
-        let (turned, momentum) = self.path.at(time);
-        let attitude = self.world_from_start * DMat3::from_quat(turned) * self.orbit_from_body;
-        (attitude, self.body_from_orbit * (momentum * self.momentum_unit))
+        let (frame, momentum) = self.path.frame_at(time);
+        let attitude = self.world_from_start * (DMat3::from_quat(frame) * self.orbit_from_body);
+        (attitude, self.body_from_orbit * momentum)
     }
 
     /// Attitude `R`, `world_from_body`, at a time (s).
@@ -78,7 +80,7 @@ impl Motion {
     /// Body momentum `M` (kg m²/s) at a time (s).
     #[must_use]
     pub fn momentum(&self, time: f64) -> DVec3 {
-        self.body_from_orbit * (self.path.momentum(time) * self.momentum_unit)
+        self.body_from_orbit * self.path.momentum(time)
     }
 
     /// The state at a time (s). At 0 the start itself, bit for bit; world momentum is the start's at any time.

@@ -45,9 +45,10 @@ enum Shape {
     Hyperbolic { rate: f64, start: f64, sine: f64, cosine: f64 },
 }
 
-/// Momentum over amplitudes, `[cn, sn, dn]`, and `(cos χ, sin χ)`.
+/// Momentum over amplitudes, `[cn, sn, dn]`, and χ: a linear part and the angle of the vector `(x, y)`, of any length.
 struct Point {
     functions: [f64; 3],
+    linear: f64,
     chi: (f64, f64),
 }
 
@@ -106,12 +107,23 @@ impl Path {
             };
         }
         let start = path.point(0.0);
-        path.start_inverse = path.frame(&start, (1.0, 0.0), orbit.momentum).conjugate();
+        path.start_inverse = path.frame(&start, 0.0, orbit.momentum).conjugate();
         path
     }
 
     /// Attitude relative to the start and momentum at a time (s).
     pub(crate) fn at(&self, time: f64) -> (DQuat, DVec3) {
+        let (frame, momentum) = self.frame_at(time);
+        (so3::renormalize(self.start_inverse * frame), momentum)
+    }
+
+    /// What stands to the left of [`Path::frame_at`] in the attitude.
+    pub(crate) fn start_inverse(&self) -> DQuat {
+        self.start_inverse
+    }
+
+    /// `R_z(ψ) P(M)` but for the value at the start, and momentum, at a time (s).
+    pub(crate) fn frame_at(&self, time: f64) -> (DQuat, DVec3) {
         let time = self.in_units(time);
         let angle = TAU * phase(self.half_angle_rate, time);
         if let Shape::Steady { axis, momentum } = self.shape {
@@ -120,8 +132,7 @@ impl Path {
         }
         let point = self.point(time);
         let momentum = self.amplitudes * DVec3::from_array(point.functions);
-        let (sine, cosine) = angle.sin_cos();
-        (so3::renormalize(self.start_inverse * self.frame(&point, (cosine, sine), momentum)), momentum)
+        (self.frame(&point, angle, momentum), momentum)
     }
 
     /// `[cn, sn, dn]` at a time (s).
@@ -159,15 +170,16 @@ impl Path {
         self.momentum_of(self.functions(time))
     }
 
-    /// `R_z(ψ) P(M)` with the half angle `ψ/2` as the given pair turned by σχ.
-    fn frame(&self, point: &Point, half_angle: (f64, f64), momentum: DVec3) -> DQuat {
+    /// `R_z(ψ) P(M)` with the half angle `ψ/2` as the given one and σχ.
+    fn frame(&self, point: &Point, half_angle: f64, momentum: DVec3) -> DQuat {
         let m = momentum * self.inverse_ell;
-        let (cosine, sine) = half_angle;
+        let (sine, cosine) = (half_angle + self.handedness * point.linear).sin_cos();
         let (chi_cosine, chi_sine) = (point.chi.0, self.handedness * point.chi.1);
         let (c, s) = (cosine * chi_cosine - sine * chi_sine, sine * chi_cosine + cosine * chi_sine);
-        // P = (1 + m₃; m₂, −m₁, 0)/√(2(1 + m₃)), the shortest rotation from m to e₃; m₃ ≥ 0.
+        // P = (1 + m₃; m₂, −m₁, 0), the shortest rotation from m to e₃, is brought to unit length together with χ; m₃ ≥ 0.
         let w = 1.0 + m.z;
-        let scale = 1.0 / (w * w + m.x * m.x + m.y * m.y).sqrt();
+        let chi_square = chi_cosine * chi_cosine + chi_sine * chi_sine;
+        let scale = 1.0 / ((w * w + m.x * m.x + m.y * m.y) * chi_square).sqrt();
         let (w, x, y) = (w * scale, m.y * scale, -m.x * scale);
         DQuat::from_xyzw(c * x - s * y, c * y + s * x, s * w, c * w)
     }
@@ -178,25 +190,24 @@ impl Path {
 
     /// At a time in the orbit's units.
     fn point(&self, time: f64) -> Point {
-        let turns = phase(self.turn_rate, time) + self.start_turns;
-        let turns = turns - turns.round();
+        let turns = double_double::beyond_whole(phase(self.turn_rate, time) + self.start_turns);
         match &self.shape {
-            Shape::Steady { .. } => Point { functions: [1.0, 0.0, 1.0], chi: (1.0, 0.0) },
+            Shape::Steady { .. } => Point { functions: [1.0, 0.0, 1.0], chi: (1.0, 0.0), linear: 0.0 },
             Shape::Real { series, sines, cosines } => {
                 let (sine, cosine) = (TAU * turns).sin_cos();
                 let (s2, c2) = (2.0 * sine * cosine, 1.0 - 2.0 * sine * sine);
                 let numerator = s2 * (sines[0] + 2.0 * sines[1] * c2);
                 let denominator = 0.5 + cosines[0] * c2 + cosines[1] * (2.0 * c2 * c2 - 1.0);
                 let [sn, cn, dn] = series.at(sine, cosine);
-                Point { functions: [cn, sn, dn], chi: unit(denominator, numerator) }
+                Point { functions: [cn, sn, dn], chi: (denominator, numerator), linear: 0.0 }
             }
             Shape::Complementary { series, sines, cosines, slope } => {
                 // u/K within ±1, half a period being 2K.
-                let half_periods = (2.0 * turns).round();
-                let quarters = 4.0 * turns - 2.0 * half_periods;
-                let size = quarters.abs();
-                let e = (-series.decay * size).exp();
-                let p = (series.decay * (size - 1.0)).exp();
+                let is_behind = turns.abs() > 0.25;
+                let sign = if is_behind { -1.0 } else { 1.0 };
+                let quarters = 4.0 * turns - if is_behind { 2f64.copysign(turns) } else { 0.0 };
+                let e = (-series.decay * quarters.abs()).exp();
+                let p = series.root_of_nome / e;
                 let [sn, cn, dn] = series.at(e, p);
                 let (mut numerator, mut denominator) = (0.0, 0.0);
                 let (mut power, mut odd) = (1.0, e);
@@ -207,28 +218,21 @@ impl Path {
                     power *= p;
                     odd *= e2;
                 }
-                // χ = slope u/K − atan2(…).
-                let (c, s) = unit(denominator, numerator);
-                let (linear_sine, linear_cosine) = (slope * size).sin_cos();
-                let chi_sine = linear_sine * c - linear_cosine * s;
-                let chi_sine = if quarters < 0.0 { -chi_sine } else { chi_sine };
-                let chi = (linear_cosine * c + linear_sine * s, chi_sine);
-                let sign = if half_periods == 0.0 { 1.0 } else { -1.0 };
-                Point { functions: [sign * cn, sign * sn.copysign(quarters), dn], chi }
+                // χ = slope u/K − atan2(…), odd in u.
+                let numerator = if quarters < 0.0 { numerator } else { -numerator };
+                Point {
+                    functions: [sign * cn, sign * sn.copysign(quarters), dn],
+                    chi: (denominator, numerator),
+                    linear: slope * quarters,
+                }
             }
             Shape::Hyperbolic { rate, start, sine, cosine } => {
                 let u = rate * time + start;
                 let [sn, cn, dn] = elliptic::hyperbolic(u);
-                Point { functions: [cn, sn, dn], chi: unit(*cosine, -sine * (0.5 * u).tanh()) }
+                Point { functions: [cn, sn, dn], chi: (*cosine, -sine * (0.5 * u).tanh()), linear: 0.0 }
             }
         }
     }
-}
-
-/// `(x, y)` made a unit vector.
-fn unit(x: f64, y: f64) -> (f64, f64) {
-    let scale = 1.0 / (x * x + y * y).sqrt();
-    (x * scale, y * scale)
 }
 
 /// The fraction of a turn that is left of rate × time; 0 where no digit of it is left.
@@ -236,7 +240,7 @@ fn phase(rate: DoubleDouble, time: f64) -> f64 {
     // Lest the splitting of a factor overflow.
     let (rate, time) = if time.abs() > 1e280 { (rate.scaled(1e32), time * 1e-32) } else { (rate, time) };
     let turns = rate.high * time;
-    if turns.abs() < 1e32 { (rate * time).fraction() } else { 0.0 }
+    if turns.abs() < 1e32 { rate.fraction_of_product(time) } else { 0.0 }
 }
 
 /// `(−1)ⁿ q^(2n²)` times `sinh 2ny` and `cosh 2ny`, `y = πη/2K`.
@@ -262,7 +266,7 @@ fn real_shape(series: Real, rise: f64, run: f64, k: f64, quarter: f64) -> Shape 
 
 /// `Q^(n²)` times the sine and cosine of `(2n+1)a`.
 fn complementary_shape(series: Complementary, slope: f64) -> Shape {
-    let nome = (-series.decay).exp();
+    let nome = series.root_of_nome;
     let (mut sines, mut cosines) = ([0.0; 5], [0.0; 5]);
     for n in 0..5 {
         let (sine, cosine) = (f64::from(2 * n + 1) * slope).sin_cos();
