@@ -5,7 +5,7 @@ use egui::{Color32, PointerButton, Pos2, Rect, Sense, Stroke, Ui, Vec2};
 use super::{Command, Look, command::Pixels, style};
 
 /// How much one point of wheel movement zooms.
-const ZOOM_PER_POINT: f32 = 0.0025;
+const ZOOM_PER_POINT: f32 = 0.0015;
 
 /// The picture's place.
 #[derive(Clone, Copy, Debug, Default)]
