@@ -138,9 +138,9 @@ impl Palette {
             bytes.extend(NeuQuant::new(10, COLOURS - 1, &rest).color_map_rgb());
             bytes.resize(3 * COLOURS, 0);
         }
-        let nearest = (0..1_u32 << 18)
+        let nearest = (0..1_i32 << 18)
             .map(|cell| {
-                let middle = [cell >> 12, (cell >> 6) & 63, cell & 63].map(|six| (4 * six + 2) as i32);
+                let middle = [cell >> 12, (cell >> 6) & 63, cell & 63].map(|six| 4 * six + 2);
                 nearest(&bytes, middle)
             })
             .collect();

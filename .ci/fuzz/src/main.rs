@@ -123,6 +123,12 @@ const WORDS: &[&str] = &[
 ];
 
 fn command_lines(random: &mut Random, program: &Path, count: usize) -> usize {
+    // Whatever a line happens to write is written there.
+    let scratch = std::env::temp_dir().join(format!("dzhanibekov-fuzz-{}", std::process::id()));
+    if let Err(error) = std::fs::create_dir_all(&scratch) {
+        eprintln!("fuzz: {}: {error}", scratch.display());
+        return 1;
+    }
     let mut failures = 0;
     let mut slowest = Duration::ZERO;
     for _ in 0..count {
@@ -145,6 +151,7 @@ fn command_lines(random: &mut Random, program: &Path, count: usize) -> usize {
             .args(["-c", &format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\"")])
             .arg(program)
             .args(&words)
+            .current_dir(&scratch)
             .stdin(Stdio::null())
             .output();
         let taken = begun.elapsed();
@@ -168,6 +175,7 @@ fn command_lines(random: &mut Random, program: &Path, count: usize) -> usize {
             eprintln!("fuzz: {words:?}: {complaint}");
         }
     }
+    let _ = std::fs::remove_dir_all(&scratch);
     println!("fuzz: {count} command lines, {failures} failures, the slowest took {slowest:?}");
     failures
 }
@@ -182,6 +190,13 @@ fn main() -> ExitCode {
     let (texts, lines, seed) = (number(1_000_000) as usize, number(10_000) as usize, number(1));
     // Each is said once, with its input, below.
     std::panic::set_hook(Box::new(|_| {}));
-    let failures = scenes(&mut Random(seed), texts) + command_lines(&mut Random(!seed), Path::new(&program), lines);
+    let program = match Path::new(&program).canonicalize() {
+        Ok(program) => program,
+        Err(error) => {
+            eprintln!("fuzz: {program}: {error}");
+            return ExitCode::from(2);
+        }
+    };
+    let failures = scenes(&mut Random(seed), texts) + command_lines(&mut Random(!seed), &program, lines);
     ExitCode::from(u8::from(failures > 0))
 }
