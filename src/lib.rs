@@ -1,4 +1,80 @@
 //! See, teach and measure how a free rigid body turns: the Dzhanibekov effect (tennis-racket theorem).
+//!
+//! # A tour
+//!
+//! A [`physics::Body`] has a moment of inertia; a [`physics::State`] says how it lies and spins. The motion is known in
+//! closed form, so any moment can be gone to at once:
+//!
+//! ```
+//! use dzhanibekov::physics::{Body, Motion, State, poinsot};
+//! use glam::{DMat3, DVec3};
+//!
+//! // A box with three different edges, spun about its middle axis with a small tilt towards axis 3.
+//! let body = Body::solid_box(DVec3::new(0.20, 0.12, 0.04), 1.0)?;
+//! let start = State::new(&body, DMat3::IDENTITY, DVec3::new(0.0, 6.0, 0.01));
+//! let motion = Motion::new(&body, &start);
+//!
+//! // It turns over: half a period after the first flip its middle axis points the other way round L.
+//! let period = poinsot::flip_period(&body, start.body_momentum).expect("it flips");
+//! let first = poinsot::next_flip(&body, start.body_momentum).expect("it flips");
+//! assert!(motion.momentum(first + 0.5 * period).y < -0.99 * start.body_momentum.y);
+//!
+//! // A year later costs what a second later costs, and keeps the energy.
+//! let later = motion.state(3.15e7);
+//! assert!((later.energy(&body) / start.energy(&body) - 1.0).abs() < 1e-14);
+//! # Ok::<(), dzhanibekov::physics::BodyError>(())
+//! ```
+//!
+//! The methods that step from moment to moment are rows of one table, [`physics::METHODS`]; each row states what its
+//! method keeps, and the tests hold it to that. An [`physics::Integration`] is a method at work:
+//!
+//! ```
+//! # use dzhanibekov::physics::{Body, Integration, Motion, State, method, so3};
+//! # use glam::{DMat3, DVec3};
+//! let body = Body::from_moments(DVec3::new(0.5, 0.85, 1.0))?;
+//! let start = State::new(&body, DMat3::IDENTITY, DVec3::new(0.4, 1.0, 0.4));
+//! let exact = Motion::new(&body, &start).attitude(10.0);
+//!
+//! // Buss' second-order method: half the step, a quarter of the error.
+//! let error = |step| {
+//!     let buss = method("buss").expect("it is in the table");
+//!     let mut integration = Integration::new(buss, &body, start, step);
+//!     integration.state_at(10.0).map(|state| so3::angle_between(state.world_from_body, exact))
+//! };
+//! let (coarse, fine) = (error(0.01)?, error(0.005)?);
+//! assert!((coarse / fine - 4.0).abs() < 0.4);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A [`scene`] is the same thing in words, read from TOML and checked; a [`sim::Simulation`] sets it in motion:
+//!
+//! ```
+//! use dzhanibekov::scene::{Scene, preset};
+//! use dzhanibekov::sim::Simulation;
+//!
+//! let scene = Scene::check(&preset("flip")?.read()?)?;
+//! let mut simulation = Simulation::new(&scene);
+//! simulation.step(1000);
+//! assert_eq!(simulation.time(), 1.0);
+//! assert_eq!(simulation.momentum_error(), 0.0);
+//! # Ok::<(), dzhanibekov::scene::SceneError>(())
+//! ```
+//!
+//! # Rooms
+//!
+//! | room | what lives there | feature |
+//! |---|---|---|
+//! | [`physics`] | rotations, bodies, the exact motion, methods, Poinsot's geometry: pure f64 | – |
+//! | [`scene`] | what a scene says: read, checked, written; the presets | – |
+//! | [`sim`] | the clock, the running simulation, its history | – |
+//! | `objects`, `frame`, `camera` | what is drawn | `picture` |
+//! | `render` | how it is drawn, by wgpu | `picture` |
+//! | `headless` | pictures and films with no window | `picture` |
+//! | `report` | speed against error, measured | `report` |
+//! | `app`, `ui` | the window and its panels | `window` |
+//!
+//! Data flows one way, from a scene to the simulation to objects to a frame to the picture. Without default features
+//! the library is the first three rooms.
 #[cfg(feature = "window")]
 pub mod app;
 #[cfg(feature = "picture")]
