@@ -5,6 +5,7 @@
 mod command_line;
 mod compose;
 mod files;
+mod offscreen;
 mod open;
 mod pacing;
 mod pick;
@@ -22,6 +23,7 @@ use winit::window::WindowId;
 
 use web_time::Instant;
 
+pub use offscreen::with_panels;
 pub use startup::WindowError;
 
 use crate::render::Pixels;

@@ -23,6 +23,20 @@ const SMALLEST: LogicalSize<f64> = LogicalSize::new(480.0, 320.0);
 /// A wait for a repaint longer than this is one without end.
 const LONG: Duration = Duration::from_mins(10);
 
+/// How much larger than usual the panels are in a window of this size (points).
+pub(super) fn zoom(width: f32, height: f32) -> f32 {
+    (width / 1280.0).min(height / 720.0).max(1.0).powf(0.7)
+}
+
+/// Where the picture lies in a window of this size (pixels), from what the panels left of it (points): its corner and
+/// its size, which is 0 where there is no room.
+pub(super) fn place(picture: egui::Rect, pixels_per_point: f32, window: (u32, u32)) -> ((u32, u32), (u32, u32)) {
+    let pixel = |points: f32, most: u32| ((points * pixels_per_point).round().max(0.0) as u32).min(most);
+    let corner = (pixel(picture.min.x, window.0), pixel(picture.min.y, window.1));
+    let far = (pixel(picture.max.x, window.0), pixel(picture.max.y, window.1));
+    (corner, (far.0.saturating_sub(corner.0), far.1.saturating_sub(corner.1)))
+}
+
 /// An open window.
 pub(super) struct OpenWindow {
     // Dropped first: it lives on the window.
@@ -195,8 +209,7 @@ impl OpenWindow {
     /// The panels grow with the window, as what is projected does: legible from the last row at any resolution.
     fn scale_text(&self, context: &egui::Context, text_size: f32) {
         let size = self.window.inner_size().to_logical::<f32>(self.window.scale_factor());
-        let room = (size.width / 1280.0).min(size.height / 720.0).max(1.0);
-        context.set_zoom_factor(text_size * room.powf(0.7));
+        context.set_zoom_factor(text_size * zoom(size.width, size.height));
     }
 
     /// Writes the picture as it is, as large as the window; says where.
@@ -238,11 +251,7 @@ impl OpenWindow {
 
     /// Redraws the picture where something in it changed. Gives its corner in the window (pixels).
     fn draw_picture(&mut self, session: &mut Session, picture: egui::Rect, pixels_per_point: f32) -> (u32, u32) {
-        let (width, height) = self.screen.size();
-        let pixel = |points: f32, most: u32| ((points * pixels_per_point).round().max(0.0) as u32).min(most);
-        let corner = (pixel(picture.min.x, width), pixel(picture.min.y, height));
-        let far = (pixel(picture.max.x, width), pixel(picture.max.y, height));
-        let size = (far.0.saturating_sub(corner.0), far.1.saturating_sub(corner.1));
+        let (corner, size) = place(picture, pixels_per_point, self.screen.size());
         if size.0 == 0 || size.1 == 0 {
             return corner;
         }

@@ -107,16 +107,13 @@ impl Screen {
 
     /// Draws the picture at its place, the panels on top, and presents. False where it should be tried again soon.
     pub(super) fn present(&mut self, window: &Arc<Window>, mut painted: Painted, picture_corner: (u32, u32)) -> bool {
-        let Gpu { device, queue, .. } = &self.gpu;
         // Also where no frame is had: the next pass only tells what changed since.
-        for (id, deltas) in painted.textures.set.drain() {
-            for delta in deltas {
-                self.panels.update_texture(device, queue, id, &delta);
-            }
-        }
+        upload(&self.gpu, &mut self.panels, &mut painted.textures);
         let is_done = match self.surface.acquire(&self.instance, &self.gpu, window) {
             Acquired::Frame { texture, is_suboptimal } => {
-                self.draw(&texture, &painted, picture_corner);
+                let view = texture.texture.create_view(&wgpu::TextureViewDescriptor::default());
+                let picture = (&self.compose, picture_corner);
+                paint(&self.gpu, (&view, self.surface.size()), picture, &mut self.panels, &painted);
                 window.pre_present_notify();
                 self.gpu.queue.present(texture);
                 if is_suboptimal {
@@ -132,37 +129,49 @@ impl Screen {
         }
         is_done
     }
+}
 
-    fn draw(&mut self, frame: &wgpu::SurfaceTexture, painted: &Painted, picture_corner: (u32, u32)) {
-        let Gpu { device, queue, .. } = &self.gpu;
-        let size = self.surface.size();
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("window") });
-        let screen = egui_wgpu::ScreenDescriptor {
-            size_in_pixels: [size.0, size.1],
-            pixels_per_point: painted.pixels_per_point,
-        };
-        let uploads = self.panels.update_buffers(device, queue, &mut encoder, &painted.primitives, &screen);
-        let view = frame.texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let [r, g, b, _] = painted.background.to_normalized_gamma_f32();
-        let background = wgpu::Color { r: r.into(), g: g.into(), b: b.into(), a: 1.0 };
-        let mut pass = encoder
-            .begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: Some("window"),
-                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                    view: &view,
-                    depth_slice: None,
-                    resolve_target: None,
-                    ops: wgpu::Operations { load: wgpu::LoadOp::Clear(background), store: wgpu::StoreOp::Store },
-                })],
-                depth_stencil_attachment: None,
-                timestamp_writes: None,
-                occlusion_query_set: None,
-                multiview_mask: None,
-            })
-            .forget_lifetime();
-        self.compose.draw(&mut pass, picture_corner, size);
-        self.panels.render(&mut pass, &painted.primitives, &screen);
-        drop(pass);
-        queue.submit(uploads.into_iter().chain([encoder.finish()]));
+/// Draws the picture at its corner (pixels) and the panels on top.
+pub(super) fn paint(
+    gpu: &Gpu,
+    (target, size): (&wgpu::TextureView, (u32, u32)),
+    (compose, corner): (&Compose, (u32, u32)),
+    panels: &mut egui_wgpu::Renderer,
+    painted: &Painted,
+) {
+    let Gpu { device, queue, .. } = gpu;
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("window") });
+    let screen =
+        egui_wgpu::ScreenDescriptor { size_in_pixels: [size.0, size.1], pixels_per_point: painted.pixels_per_point };
+    let uploads = panels.update_buffers(device, queue, &mut encoder, &painted.primitives, &screen);
+    let [r, g, b, _] = painted.background.to_normalized_gamma_f32();
+    let background = wgpu::Color { r: r.into(), g: g.into(), b: b.into(), a: 1.0 };
+    let mut pass = encoder
+        .begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("window"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: target,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(background), store: wgpu::StoreOp::Store },
+            })],
+            depth_stencil_attachment: None,
+            timestamp_writes: None,
+            occlusion_query_set: None,
+            multiview_mask: None,
+        })
+        .forget_lifetime();
+    compose.draw(&mut pass, corner, size);
+    panels.render(&mut pass, &painted.primitives, &screen);
+    drop(pass);
+    queue.submit(uploads.into_iter().chain([encoder.finish()]));
+}
+
+/// Sends the panels' new textures to the device.
+pub(super) fn upload(gpu: &Gpu, panels: &mut egui_wgpu::Renderer, textures: &mut egui::TexturesDelta) {
+    for (id, deltas) in textures.set.drain() {
+        for delta in deltas {
+            panels.update_texture(&gpu.device, &gpu.queue, id, &delta);
+        }
     }
 }

@@ -1,8 +1,10 @@
 //! `shot` and `adapters`: pictures with no window.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
+#[cfg(feature = "window")]
+use dzhanibekov::headless::encode;
 use dzhanibekov::headless::{HeadlessError, Note, ShotOptions, shot as draw};
 use dzhanibekov::objects::{OBJECTS, object_named};
 use dzhanibekov::render;
@@ -31,6 +33,10 @@ pub(super) struct ShotArguments {
     /// File to write, or - for standard output
     #[arg(short, long, value_name = "FILE.png|-")]
     output: PathBuf,
+    /// With the window's panel in the picture
+    #[cfg(feature = "window")]
+    #[arg(long, help_heading = "Picture", conflicts_with = "transparent")]
+    panel: bool,
 }
 
 /// `shot`: everything that can be refused is refused before anything is drawn.
@@ -47,10 +53,25 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     if let Some(error) = simulation.main().failure() {
         return Err(Failure::could(error.to_string()));
     }
+    #[cfg(feature = "window")]
+    if arguments.panel {
+        let options = options(picture);
+        let gpu = options.open()?;
+        let mut notes = notes(picture, &words, picture.time);
+        if let Some((_, command)) = notes.last_mut() {
+            command.push_str(" --panel");
+        }
+        let pixels = dzhanibekov::app::with_panels(&gpu, scene, picture.time, options.size)
+            .map_err(|error| Failure::could(error.to_string()))?;
+        let bytes = encode(&pixels, false, &notes).map_err(HeadlessError::from)?;
+        return write_picture(&arguments.output, &bytes);
+    }
     let bytes = draw(&simulation, &options(picture), &notes(picture, &words, picture.time))?;
-    write_whole(&arguments.output, |writer| {
-        writer.write_all(&bytes).map_err(|error| io_failure(&arguments.output, &error))
-    })
+    write_picture(&arguments.output, &bytes)
+}
+
+fn write_picture(output: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_whole(output, |writer| writer.write_all(bytes).map_err(|error| io_failure(output, &error)))
 }
 
 /// The scene of a picture, checked, and the words of a command line that name it.

@@ -56,6 +56,12 @@ impl Session {
         self.time_was_set();
     }
 
+    /// Shows a time, however long the way to it.
+    pub(in crate::app) fn show_time(&mut self, time: f64) {
+        self.sim.go_to(time);
+        self.time_was_set();
+    }
+
     pub(super) fn step(&mut self, count: i64) {
         self.sim.clock.paused = true;
         self.sim.step(count);

@@ -1,0 +1,69 @@
+//! The window as it would look, drawn with no window: the picture with the panels around it.
+
+use super::compose::Compose;
+use super::open::{place, zoom};
+use super::remember::Remembered;
+use super::screen::{Painted, paint, upload};
+use super::session::Session;
+use crate::objects;
+use crate::render::{Canvas, FORMAT, Gpu, GpuError, Pixels, Renderer};
+use crate::scene::Scene;
+use crate::ui::{self, Panels, style};
+
+/// Draws a scene at a time (s) with the window's panels, paused, in this many pixels, on a device that can draw them.
+/// What some window was last like is not looked at.
+///
+/// # Errors
+/// What the device reports.
+pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]) -> Result<Pixels, GpuError> {
+    let window = (width, height);
+    let mut session = Session::new(scene, &Remembered::default());
+    session.sim.clock.paused = true;
+    session.show_time(time);
+
+    let context = egui::Context::default();
+    style::install(&context);
+    style::set_theme(&context, session.scene.view.theme);
+    let (wide, high) = (width as f32, height as f32);
+    let zoom = zoom(wide, high) * session.scene.view.font_scale as f32;
+    context.set_zoom_factor(zoom);
+    let mut panels = Panels::default();
+    let canvas = Canvas::new(gpu, [width, height]);
+    let mut painter = egui_wgpu::Renderer::new(&gpu.device, FORMAT, egui_wgpu::RendererOptions::PREDICTABLE);
+
+    // The first pass has no sizes yet.
+    let mut last = None;
+    for _ in 0..3 {
+        let input = egui::RawInput {
+            screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(wide, high) / zoom)),
+            max_texture_side: Some(gpu.largest_side() as usize),
+            ..Default::default()
+        };
+        let mut picture = egui::Rect::NOTHING;
+        let look = session.look(None, false);
+        let mut output = context.run_ui(input, |ui| picture = panels.ui(ui, &look).picture);
+        upload(gpu, &mut painter, &mut output.textures_delta);
+        last = Some((output, picture));
+    }
+    if let Some((output, picture)) = last {
+        let (corner, size) = place(picture, output.pixels_per_point, window);
+        let mut compose = Compose::new(gpu, FORMAT);
+        if size.0 > 0 && size.1 > 0 {
+            session.picture_size = ui::Pixels::new(size.0 as f32, size.1 as f32);
+            compose.resize(gpu, size);
+            let aspect = session.picture_size.x / session.picture_size.y;
+            let frame = objects::build_frame(&session.sim, &session.scene.view, &session.cameras, aspect);
+            if let Some((target, size)) = compose.target() {
+                Renderer::new(gpu).render(gpu, &frame, target, [size.0, size.1], output.pixels_per_point);
+            }
+        }
+        let painted = Painted {
+            primitives: context.tessellate(output.shapes, output.pixels_per_point),
+            textures: output.textures_delta,
+            pixels_per_point: output.pixels_per_point,
+            background: context.global_style().visuals.panel_fill,
+        };
+        paint(gpu, (canvas.view(), window), (&compose, corner), &mut painter, &painted);
+    }
+    canvas.read(gpu)
+}
