@@ -8,7 +8,7 @@ mod jacobi;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 pub use jacobi::Jacobi;
-pub(crate) use jacobi::{Complementary, Real, Series, hyperbolic};
+pub(crate) use jacobi::{Complementary, Real, Series, hyperbolic, reduce};
 
 /// The arithmetic–geometric mean `M(a, b)` of two numbers that are not negative:
 /// `a ← (a+b)/2, b ← √(ab)` until they meet.

@@ -148,8 +148,8 @@ impl Path {
         }
     }
 
-    /// `[cn u, sn u, dn u]` for `|u| ≤ 1.2`, with the relative error of sn some ε however small u is.
-    pub(crate) fn small(&self, u: f64) -> [f64; 3] {
+    /// `[cn u, sn u, dn u]`, with the relative error of sn some ε however small u is.
+    pub(crate) fn from_origin(&self, u: f64) -> [f64; 3] {
         match &self.shape {
             Shape::Steady { .. } => [1.0, 0.0, 1.0],
             Shape::Real { series, .. } => {
@@ -158,10 +158,20 @@ impl Path {
                 [cn, sn, dn]
             }
             Shape::Complementary { series, .. } => {
-                let [sn, cn, dn] = series.at_small(self.slope * u);
-                [cn, sn, dn]
+                let v = self.slope * u;
+                if v.abs() < 1.5 {
+                    let [sn, cn, dn] = series.at_small(v);
+                    return [cn, sn, dn];
+                }
+                let (sign, quarters) = elliptic::reduce(v / series.decay);
+                let e = (-series.decay * quarters.abs()).exp();
+                let [sn, cn, dn] = series.at(e, series.root_of_nome / e);
+                [sign * cn, sign * sn.copysign(quarters), dn]
             }
-            Shape::Hyperbolic { .. } => [1.0 / u.cosh(), u.tanh(), 1.0 / u.cosh()],
+            Shape::Hyperbolic { .. } => {
+                let [_, cn, dn] = elliptic::hyperbolic(u);
+                [cn, u.tanh(), dn]
+            }
         }
     }
 

@@ -1,11 +1,12 @@
 //! The exact step: Moser and Veselov's discrete body, its moments calibrated so that one step is the motion itself.
 
+use std::f64::consts::PI;
+
 use glam::{DMat3, DQuat, DVec3};
 
 use super::{Failure, Keeps, Method, Order, Problem, Stepper};
 use crate::physics::exact::Path;
 use crate::physics::orbit::Orbit;
-use crate::physics::so3;
 
 pub(super) const METHOD: Method = Method {
     name: "exact-step",
@@ -16,61 +17,119 @@ pub(super) const METHOD: Method = Method {
     keeps_momentum: Keeps::Exactly,
     keeps_rotation: Keeps::Exactly,
     keeps_energy: Keeps::Exactly,
-    cost: "three square roots, two divisions, no trigonometric function",
+    cost: "one square root, two divisions, no trigonometric function",
     source: "Moser & Veselov, Comm. Math. Phys. 139 (1991) 217, calibrated on the closed form",
     start: |problem| Box::new(ExactStep::new(problem)),
 };
 
 /// A step that would turn the body, or its momentum's phase, by this angle (rad) or more is taken by the closed form instead:
-/// from a quarter turn on the half-turn quaternion of a step has a second branch.
-const LARGEST_TURN: f64 = 1.2;
+/// beyond a half turn a step no longer shows which way round the body went.
+const LARGEST_TURN: f64 = PI;
+
+/// Steps whose momenta are found side by side: each of them waits for a division, a square root and a dozen products in a row,
+/// which several at a time hide.
+const LANES: usize = 4;
+
+/// Steps after which the attitude's quaternion is brought back to unit length. A step shortens it by `sech(π/2) = 0.4` at most.
+const STEPS_TO_UNIT: usize = 64;
 
 /// The body in the standard position of its orbit.
 ///
 /// With the step's rotation `RₙᵀRₙ₊₁` as the quaternion `f = (f₀, 𝐟)` the discrete body obeys
 /// `(h/2)(Mₙ + Mₙ₊₁) = 2f₀ Ĩ𝐟`. On one orbit there is `Ĩ⁻¹ = αI⁻¹ + β` with which its steps are those of the body, not for
-/// small h alone but exactly. A step:
+/// small h alone but exactly. Solved for f that would be `𝐠 = f₀𝐟 = (h/4)Ĩ⁻¹(Mₙ + Mₙ₊₁)`, `f₀² = ½ ± √(¼ − |𝐠|²)`, with a double
+/// root at a quarter turn. But let u be the phase halfway through the step, from `u − w` to `u + w`, `w = λh/2`. By the addition theorem
 ///
-/// 1. `Mₙ₊₁ = (B₁ cn, s₂B₂ sn, B₃ dn)(u + λh)` by the addition theorem;
-/// 2. `𝐠 = f₀𝐟 = (h/4) Ĩ⁻¹(Mₙ + Mₙ₊₁)`;
-/// 3. `f₀² = (1 + √(1 − 4|𝐠|²))/2`, `𝐟 = 𝐠/f₀`, `R ← R f`.
+/// ```text
+/// 𝐠 = (c₁ cn u, c₂ sn u, c₃ dn u)/D,   D = 1 − k² sn²w sn²u
+/// ```
 ///
-/// A steady motion, and a step of [`LARGEST_TURN`] or more, is taken by the closed form, which the same object holds.
+/// so that `f₀²D (D − f₀²D) = |𝐠|²D²` is linear in sn²u, and of the two factors one is constant on the whole orbit. It is the
+/// first: `f₀² = A/D`. A step is therefore linear in the three functions, has no branch, and is as well-conditioned at a quarter
+/// turn as anywhere:
+///
+/// 1. `R ← R F` with the quaternion `F = √D f = (p₀, p₁ cn u, p₂ sn u, p₃ dn u)`, whose length does not matter;
+/// 2. `u ← u + λh` by the addition theorem.
+///
+/// M itself is needed only where it is asked for, half a step back from u. The phases of [`LANES`] steps are held at once, and each is
+/// moved on by as many steps.
+///
+/// A steady motion, and a step of [`LARGEST_TURN`] or more, is taken by the closed form, which the same object holds. Error: the
+/// functions and F have a relative error of a few ε at any step, the separatrix included, and a phase of its own has no way to grow.
 #[derive(Clone)]
 struct ExactStep {
     path: Path,
     orbit: Orbit,
+    /// Of any length.
     attitude: DQuat,
-    /// `[cn, sn, dn]`.
-    functions: [f64; 3],
+    /// Halfway through each of the steps of this round.
+    lanes: Lanes,
+    /// Steps of this round that were taken.
+    lane: usize,
+    /// Steps since the attitude had unit length.
+    steps_from_unit: usize,
     /// The time is `origin + count |step|`, so that no rounding piles up.
     origin: f64,
     count: i64,
     calibration: Calibration,
 }
 
+/// cn, sn and dn of several phases.
+#[derive(Clone, Copy)]
+struct Lanes {
+    cn: [f64; LANES],
+    sn: [f64; LANES],
+    dn: [f64; LANES],
+}
+
 /// What a step of one length needs.
 #[derive(Clone, Copy)]
 struct Calibration {
     step: f64,
-    /// `[cn, sn, dn]` of λh; `None` where the closed form takes the step.
-    increment: Option<[f64; 3]>,
-    /// `(h/4) Ĩ⁻¹ (B₁, s₂B₂, B₃)`.
+    /// `None` where the closed form takes the step.
+    constants: Option<Constants>,
+}
+
+#[derive(Clone, Copy)]
+struct Constants {
+    /// `p₀` and `(p₁, p₂, p₃)`.
+    scalar: f64,
     weights: DVec3,
+    /// By [`LANES`] steps, and by half a step back.
+    round: Increment,
+    half_back: Increment,
+}
+
+/// cn, sn, dn of what is to be added to a phase, in the products in which they are needed.
+#[derive(Clone, Copy)]
+struct Increment {
+    cn: f64,
+    sn: f64,
+    cn_dn: f64,
+    sn_dn: f64,
+    cn_squared: f64,
+    sn_squared: f64,
+    dn_squared: f64,
+    /// `k′² sn²`.
+    least: f64,
+    /// `k²` and `k′²`.
+    k2: f64,
+    k1_2: f64,
 }
 
 impl ExactStep {
     fn new(problem: &Problem) -> Self {
         let orbit = Orbit::new(problem.moments, problem.momentum, problem.momentum_tail);
-        let path = Path::new(&orbit);
         Self {
-            path,
+            path: Path::new(&orbit),
             orbit,
             attitude: DQuat::IDENTITY,
-            functions: path.functions(0.0),
+            lanes: Lanes { cn: [0.0; LANES], sn: [0.0; LANES], dn: [0.0; LANES] },
+            lane: 0,
+            steps_from_unit: 0,
             origin: 0.0,
             count: 0,
-            calibration: Calibration { step: 0.0, increment: None, weights: DVec3::ZERO },
+            calibration: Calibration { step: 0.0, constants: None },
         }
     }
 
@@ -78,26 +137,58 @@ impl ExactStep {
         self.origin + self.count as f64 * self.calibration.step.abs()
     }
 
+    /// In units of the orbit.
+    fn standard_momentum(&self) -> DVec3 {
+        let Some(constants) = &self.calibration.constants else { return self.path.momentum(self.time()) };
+        self.path.momentum_of(constants.half_back.add(self.lanes.get(self.lane)))
+    }
+
     /// The attitude, turned the shortest way so that it takes M to L: the two recurrences drift apart by their rounding, and
     /// this leaves of it only what turns about L.
     fn upright(&self) -> DQuat {
         let ell = self.orbit.ell.value();
+        let attitude = self.attitude.normalize();
         if ell == 0.0 {
-            return self.attitude;
+            return attitude;
         }
-        let now = self.attitude * (self.path.momentum_of(self.functions) / ell);
+        let now = attitude * (self.standard_momentum() / ell);
         let start = self.orbit.momentum / ell;
         let axis = now.cross(start);
-        (DQuat::from_xyzw(axis.x, axis.y, axis.z, 1.0 + now.dot(start)) * self.attitude).normalize()
+        (DQuat::from_xyzw(axis.x, axis.y, axis.z, 1.0 + now.dot(start)) * attitude).normalize()
     }
 
     fn calibrate(&mut self, step: f64) {
+        if step == self.calibration.step {
+            return;
+        }
         if step.abs() != self.calibration.step.abs() {
             self.origin = self.time();
             self.count = 0;
         }
-        if step != self.calibration.step {
-            self.calibration = Calibration::new(&self.orbit, &self.path, step);
+        self.calibration = Calibration::new(&self.orbit, &self.path, step);
+        let now = self.time();
+        self.lane = 0;
+        for lane in 0..LANES {
+            self.lanes.set(lane, self.path.functions(now + (lane as f64 + 0.5) * step));
+        }
+    }
+
+    /// One step; always the same bits, however many are asked for at a time.
+    #[inline]
+    fn turn(&mut self, constants: &Constants, lane: usize) {
+        let [cn, sn, dn] = self.lanes.get(lane);
+        let weights = constants.weights;
+        self.attitude *= DQuat::from_xyzw(weights.x * cn, weights.y * sn, weights.z * dn, constants.scalar);
+    }
+
+    /// After the last step of a round.
+    #[inline]
+    fn next_round(&mut self, constants: &Constants) {
+        self.lanes.add(&constants.round);
+        self.steps_from_unit += LANES;
+        if self.steps_from_unit >= STEPS_TO_UNIT {
+            self.attitude = self.attitude.normalize();
+            self.steps_from_unit = 0;
         }
     }
 }
@@ -107,26 +198,28 @@ impl Stepper for ExactStep {
         self.calibrate(step);
         let signed = count.min(i64::MAX as u64).cast_signed();
         self.count += if step < 0.0 { -signed } else { signed };
-        let Some(increment) = self.calibration.increment else {
+        let Some(constants) = self.calibration.constants else {
             self.attitude = self.path.at(self.time()).0;
-            self.functions = self.path.functions(self.time());
             return Ok(());
         };
-        let weights = self.calibration.weights;
-        let (k2, k1_2) = (self.orbit.modulus.powi(2), self.orbit.complementary_modulus.powi(2));
-        let mut now = self.functions;
-        let mut attitude = self.attitude;
-        for _ in 0..count {
-            let next = add(now, increment, k2, k1_2);
-            let g = weights * (DVec3::from_array(now) + DVec3::from_array(next));
-            let square = 0.5 + 0.5 * (1.0 - 4.0 * g.length_squared()).sqrt();
-            let inverse = 1.0 / square.sqrt();
-            let turn = DQuat::from_xyzw(g.x * inverse, g.y * inverse, g.z * inverse, square * inverse);
-            attitude = so3::renormalize(attitude * turn);
-            now = next;
+        let mut left = count;
+        while left > 0 {
+            if self.lane == 0 && left >= LANES as u64 {
+                for lane in 0..LANES {
+                    self.turn(&constants, lane);
+                }
+                self.next_round(&constants);
+                left -= LANES as u64;
+                continue;
+            }
+            self.turn(&constants, self.lane);
+            self.lane += 1;
+            if self.lane == LANES {
+                self.lane = 0;
+                self.next_round(&constants);
+            }
+            left -= 1;
         }
-        self.functions = now;
-        self.attitude = attitude;
         Ok(())
     }
 
@@ -136,8 +229,7 @@ impl Stepper for ExactStep {
     }
 
     fn momentum(&self) -> DVec3 {
-        let momentum = self.path.momentum_of(self.functions);
-        self.orbit.principal_from_standard * (momentum * self.orbit.momentum_unit)
+        self.orbit.principal_from_standard * (self.standard_momentum() * self.orbit.momentum_unit)
     }
 
     fn duplicate(&self) -> Box<dyn Stepper> {
@@ -145,27 +237,72 @@ impl Stepper for ExactStep {
     }
 }
 
-/// `[cn, sn, dn](u + v)` by the addition theorem (DLMF 22.8), `sn = (s c₁d₁ + c s₁d)/D`, `cn = (c c₁ − s s₁ d d₁)/D`.
-///
-/// The squares of the two numerators add up to `(c₁² + s₁²d²)(c² + s²d₁²)` whatever the numbers, and both factors are D; with
-/// their mean in its place `sn² + cn² = 1` keeps itself. dn is taken from `dn² = k′² + k² cn²`, relatively exact however
-/// small it is: by a recurrence of its own it would leave that curve exponentially beside the separatrix.
-fn add([c, s, d]: [f64; 3], [c1, s1, d1]: [f64; 3], k2: f64, k1_2: f64) -> [f64; 3] {
-    let inverse = 2.0 / (((c1 * c1) + (s1 * s1) * (d * d)) + (c * c + (d1 * d1) * (s * s)));
-    let cosine = (c * c1 - (s1 * d1) * s * d) * inverse;
-    let sine = ((c1 * d1) * s + s1 * (c * d)) * inverse;
-    [cosine, sine, (k1_2 + k2 * (cosine * cosine)).sqrt()]
+impl Lanes {
+    fn get(&self, lane: usize) -> [f64; 3] {
+        [self.cn[lane], self.sn[lane], self.dn[lane]]
+    }
+
+    fn set(&mut self, lane: usize, [cn, sn, dn]: [f64; 3]) {
+        (self.cn[lane], self.sn[lane], self.dn[lane]) = (cn, sn, dn);
+    }
+
+    #[inline]
+    fn add(&mut self, increment: &Increment) {
+        for lane in 0..LANES {
+            self.set(lane, increment.add(self.get(lane)));
+        }
+    }
+}
+
+impl Increment {
+    fn new(orbit: &Orbit, [cn, sn, dn]: [f64; 3]) -> Self {
+        let (k2, k1_2) = (orbit.modulus.powi(2), orbit.complementary_modulus.powi(2));
+        Self {
+            cn,
+            sn,
+            cn_dn: cn * dn,
+            sn_dn: sn * dn,
+            cn_squared: cn * cn,
+            sn_squared: sn * sn,
+            dn_squared: dn * dn,
+            least: k1_2 * (sn * sn),
+            k2,
+            k1_2,
+        }
+    }
+
+    /// `[cn, sn, dn](u + v)` by the addition theorem (DLMF 22.8), `sn = (s c₁d₁ + c s₁d)/D`, `cn = (c c₁ − s s₁ d d₁)/D`,
+    /// `D = c₁² + s₁²d²`.
+    ///
+    /// Beside the separatrix c, d and D are small, and a long increment towards the middle axis would leave no digit of the difference in
+    /// cn; from `(c c₁)² − (s s₁ d d₁)² = D (c²d₁² − k′²s₁²)` it is a quotient that keeps them. sn and cn are
+    /// brought back to their circle to first order, and dn is taken from `dn² = k′² + k² cn²`, relatively exact however
+    /// small it is: by a recurrence of its own it would leave that curve exponentially.
+    #[inline]
+    fn add(&self, [c, s, d]: [f64; 3]) -> [f64; 3] {
+        let inverse = 1.0 / (self.cn_squared + self.sn_squared * (d * d));
+        let (minuend, subtrahend) = (c * self.cn, (s * d) * self.sn_dn);
+        let difference = (c * c) * self.dn_squared - self.least;
+        let is_cancelling = minuend * subtrahend > 0.0;
+        let quotient = difference / (minuend + subtrahend);
+        let cosine = if is_cancelling { quotient } else { (minuend - subtrahend) * inverse };
+        let sine = (s * self.cn_dn + (c * d) * self.sn) * inverse;
+        let scale = 1.5 - 0.5 * (cosine * cosine + sine * sine);
+        let cosine = cosine * scale;
+        [cosine, sine * scale, (self.k1_2 + self.k2 * (cosine * cosine)).sqrt()]
+    }
 }
 
 impl Calibration {
-    /// Finds `Ĩ⁻¹ = αI⁻¹ + β` from the step that is symmetric about `u = 0`, from −w to w, `w = λh/2`.
+    /// Finds F from the step that is symmetric about `u = 0`, from −w to w, and from `Ĩ⁻¹ = αI⁻¹ + β`.
     ///
-    /// Its rotation has `𝐟 = (c m₂ + s m₁, 0, (s(a² + m₂² − m₁²) − 2c m₁m₂)/2a)`, `m = M(w)/ℓ`, `a = 1 + m₃`, with
-    /// `(c, s)` cosine and sine of `ψ/2 = ∫₀^w ψ̇ du/λ`. The change of M in a step gives `α = f₀² sn w/(w cn w dn w)`; β is then linear
-    /// in 𝐟. Everything that a step adds up comes out with a small relative error: ψ by quadrature of the
-    /// positive ψ̇, not as a difference of phases.
+    /// Its rotation is `P(−w)ᵀ R_z(ψ) P(w)`, by the shortest rotations P that take M to axis 3:
+    /// `f₀ = (c(a² + m₁² − m₂²) − 2s m₁m₂)/2a`, `𝐟 = (c m₂ + s m₁, 0, (s(a² + m₂² − m₁²) − 2c m₁m₂)/2a)`, with `m = M(w)/ℓ`, `a = 1 + m₃` and
+    /// `(c, s)` cosine and sine of `ψ/2 = ∫₀^w ψ̇ du/λ`. There `D = 1`, so that `p₀ = f₀`, `p₁ = f₁`, `p₃ = f₃`. The change of M in a step
+    /// gives `α = f₀² sn w/(w cn w dn w)`, f₁ and f₃ give β, and both give p₂. Everything that a step adds up comes out
+    /// with a small relative error: ψ by quadrature of the positive ψ̇, not as a difference of phases.
     fn new(orbit: &Orbit, path: &Path, step: f64) -> Self {
-        let closed = Self { step, increment: None, weights: DVec3::ZERO };
+        let closed = Self { step, constants: None };
         let rate = orbit.rate.value();
         let (b, i) = (orbit.amplitudes * DVec3::new(1.0, orbit.handedness, 1.0), orbit.moments);
         // |Ω|² is linear in sn²: largest at one of the two ends of a quarter period.
@@ -177,30 +314,31 @@ impl Calibration {
             return closed;
         }
         let w = 0.5 * rate * step;
-        let [cn, sn, dn] = path.small(w);
-        let ell = orbit.ell.value();
-        let m = b * DVec3::new(cn, sn, dn) / ell;
-        let half_angle = half_angle(orbit, path, w) / rate;
-        let (s, c) = half_angle.sin_cos();
+        let [cn, sn, dn] = path.from_origin(w);
+        let m = b * DVec3::new(cn, sn, dn) / orbit.ell.value();
+        let (s, c) = (half_angle(orbit, path, w) / rate).sin_cos();
         let a = 1.0 + m.z;
-        let f = DVec3::new(
-            c * m.y + s * m.x,
-            0.0,
-            (s * (a * a + (m.y - m.x) * (m.y + m.x)) - 2.0 * c * m.x * m.y) / (2.0 * a),
-        );
-        let f0_squared = 1.0 - f.length_squared();
-        let alpha = f0_squared * sn / (w * cn * dn);
-        let sum = 2.0 * b * DVec3::new(cn, 0.0, dn);
-        let wanted = 4.0 / step * f0_squared.sqrt() * f;
-        let beta = sum.dot(wanted - alpha * sum / i) / sum.length_squared();
-        let weights = 0.25 * step * (alpha / i + beta) * b;
-        let increment = path.small(rate * step);
-        if weights.is_finite() { Self { increment: Some(increment), weights, ..closed } } else { closed }
+        let (difference, twice_product) = ((m.y - m.x) * (m.y + m.x), 2.0 * m.x * m.y);
+        let f0 = (c * (a * a - difference) - s * twice_product) / (2.0 * a);
+        let f1 = c * m.y + s * m.x;
+        let f3 = (s * (a * a + difference) - c * twice_product) / (2.0 * a);
+        // α and β times cn w dn w/f₀.
+        let alpha = f0 * sn / w;
+        let both = 2.0 / step * DVec3::new(f1 * dn, 0.0, f3 * cn) - alpha * b / i;
+        let beta = (b.x * both.x + b.z * both.z) / (b.x * b.x + b.z * b.z);
+        let weights = DVec3::new(f1, 0.5 * step * b.y * (alpha / i.y + beta), f3);
+        let constants = Constants {
+            scalar: f0,
+            weights,
+            round: Increment::new(orbit, path.from_origin(LANES as f64 * rate * step)),
+            half_back: Increment::new(orbit, [cn, -sn, dn]),
+        };
+        if weights.is_finite() && f0.is_finite() { Self { constants: Some(constants), ..closed } } else { closed }
     }
 }
 
 /// `∫₀^w ψ̇ du` with `ψ̇ = ℓ/I₃ + (2E − ℓ²/I₃)/(ℓ + M₃)`, by Gauss' rule of ten points. The nearest singularity is `K′ ≥ π/2` off the real
-/// line, w at most 0.6, so that the rule's error is below 1e-19.
+/// line, so that the rule's error is below 1e-18 over π/4; w is at most twice that.
 fn half_angle(orbit: &Orbit, path: &Path, w: f64) -> f64 {
     const NODES: [(f64, f64); 5] = [
         (0.148_874_338_981_631_2, 0.295_524_224_714_752_87),
@@ -213,9 +351,14 @@ fn half_angle(orbit: &Orbit, path: &Path, w: f64) -> f64 {
     let (m, i) = (orbit.momentum, orbit.moments);
     let twice_energy = m.dot(m / i);
     let rate = |u: f64| {
-        let m3 = orbit.amplitudes.z * path.small(u)[2];
+        let m3 = orbit.amplitudes.z * path.from_origin(u)[2];
         (twice_energy + ell * m3 / i.z) / (ell + m3)
     };
-    let half = 0.5 * w;
-    half * NODES.iter().map(|(x, weight)| weight * (rate(half * (1.0 - x)) + rate(half * (1.0 + x)))).sum::<f64>()
+    let panels = if w.abs() > 0.6 { 2 } else { 1 };
+    let half = 0.5 * w / f64::from(panels);
+    let panel = |n: i32| {
+        let middle = f64::from(2 * n + 1);
+        NODES.iter().map(|(x, weight)| weight * (rate(half * (middle - x)) + rate(half * (middle + x)))).sum::<f64>()
+    };
+    half * (0..panels).map(panel).sum::<f64>()
 }
