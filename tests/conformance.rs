@@ -3,7 +3,9 @@
 
 mod common;
 
-use common::{Case, EPS, Random, assert_at_most, attitude_error, reference_case, reference_cases, state_of};
+use common::{
+    Case, EPS, Random, assert_at_most, attitude_error, random_motion, reference_case, reference_cases, state_of,
+};
 use dzhanibekov::physics::{
     Body, Integration, METHODS, Method, Motion, State, method,
     methods::{DEFAULT_METHOD, Keeps, Order},
@@ -104,16 +106,44 @@ fn exact_step_on_random_boxes() {
         let momentum = body.body_from_principal() * momentum;
         let start = state_of(&body, DMat3::IDENTITY, momentum);
         let rate = start.body_momentum.length() / moments.x;
-        let mut integration = Integration::new(method("exact-step").expect("a method"), &body, start, 0.25 / rate);
-        integration.advance(5_000).expect("exact methods take any step");
-        let exact = Motion::new(&body, &start).attitude(integration.time());
-        let bound = 8.0 * EPS * (1.0 + rate * integration.time());
-        let what = format!("moments {moments} momentum {momentum}");
-        assert_at_most(attitude_error(integration.state().world_from_body, exact), bound, &what);
+        for turn in [0.25, 1.6, 3.1] {
+            let mut integration = Integration::new(method("exact-step").expect("a method"), &body, start, turn / rate);
+            integration.advance(5_000).expect("exact methods take any step");
+            let exact = Motion::new(&body, &start).attitude(integration.time());
+            let bound = 8.0 * EPS * (1.0 + rate * integration.time());
+            let what = format!("moments {moments} momentum {momentum}, {turn} rad a step");
+            assert_at_most(attitude_error(integration.state().world_from_body, exact), bound, &what);
+        }
     }
 }
 
-/// Any length of step: to either side of the quarter turn from which the closed form takes it, and forwards and backwards in turn.
+/// And on what an adversary would choose, at any step: a rotation, the energy and the motion, without a NaN.
+#[test]
+fn exact_step_on_random_motions() {
+    let mut random = Random::new(7);
+    for _ in 0..2_000 {
+        let (moments, momentum) = random_motion(&mut random);
+        let Ok(body) = Body::from_moments(moments) else { continue };
+        let start = state_of(&body, DMat3::IDENTITY, momentum);
+        let rate = start.body_angular_velocity(&body).length();
+        let turn = 10f64.powf(random.between(-3.0, 0.7));
+        let mut integration = Integration::new(method("exact-step").expect("a method"), &body, start, turn / rate);
+        for count in [3, 200, -150, 1] {
+            integration.advance(count).expect("exact methods take any step");
+        }
+        let exact = Motion::new(&body, &start).state(integration.time());
+        let state = integration.state();
+        let what = format!("moments {moments} momentum {momentum}, {turn} rad a step");
+        // 354 steps of rounding; |Ω| may be ℓ/I₁ later on, and the moments have their own rounding.
+        let angle = momentum.length() / moments.x * (353.0 * turn / rate);
+        let bound = 8.0 * EPS * (354.0 + angle);
+        assert_at_most(attitude_error(state.world_from_body, exact.world_from_body), bound, &what);
+        assert_at_most(so3::orthogonality_error(state.world_from_body), 16.0 * EPS, &what);
+        assert_at_most((state.energy(&body) / start.energy(&body) - 1.0).abs(), 1e-13, &what);
+    }
+}
+
+/// Any length of step: to either side of the half turn from which the closed form takes it, and forwards and backwards in turn.
 #[test]
 fn exact_step_of_any_length() {
     for case in reference_cases() {
@@ -132,6 +162,53 @@ fn exact_step_of_any_length() {
     }
 }
 
+/// Up to a half turn at the fastest moment of the motion, over 10⁴ steps: through the quarter turn, where f₀ from the
+/// step's equation alone would be a double root, and past it, where it would be the other one. Energy to 1e-13 as well.
+#[test]
+fn exact_step_up_to_a_half_turn() {
+    for case in reference_cases() {
+        let motion = Motion::new(&case.body, &case.start);
+        let rate_at = |n: i32| case.body.angular_velocity(motion.momentum(f64::from(n) * 0.05 / case.rate())).length();
+        let largest = (0..4_000).map(rate_at).fold(0.0, f64::max);
+        for turn in [1.3, 1.5, 1.57, std::f64::consts::FRAC_PI_2, 1.7, 2.5, 3.0, 3.12] {
+            let mut integration = start(method("exact-step").expect("a method"), &case, turn / largest);
+            for _ in 0..5 {
+                integration.advance(2_000).expect("exact methods take any step");
+                let what = format!("{}, {turn} rad a step, at {}", case.name, integration.time());
+                let state = integration.state();
+                let exact = motion.attitude(integration.time());
+                let bound = 8.0 * EPS * (1.0 + largest * integration.time());
+                assert_at_most(attitude_error(state.world_from_body, exact), bound, &what);
+                let energy_error = state.energy(&case.body) / case.start.energy(&case.body) - 1.0;
+                assert_at_most(energy_error.abs(), 1e-13, &what);
+            }
+        }
+    }
+}
+
+/// The smallest orbits about the separatrix and the separatrix itself, where squares of dn underflow: there, on, and back.
+#[test]
+fn exact_step_where_squares_underflow() {
+    let body = reference_case("T-handle").body;
+    let on_it = reference_case("exactly on the separatrix");
+    let tilted = |tilt: f64| (body, State::new(&body, DMat3::IDENTITY, DVec3::new(0.0, 10.0, tilt)));
+    for (body, state) in [tilted(1e-100), tilted(1e-140), tilted(1e-160), tilted(1e-250), (on_it.body, on_it.start)] {
+        let rate = state.body_angular_velocity(&body).length();
+        let motion = Motion::new(&body, &state);
+        for turn in [0.25, 1.1, 2.8] {
+            let mut integration = Integration::new(method("exact-step").expect("a method"), &body, state, turn / rate);
+            let steps = (5_000.0 / turn) as i64;
+            for count in [steps, -steps / 2, -steps / 3, -steps] {
+                integration.advance(count).expect("exact methods take any step");
+                let exact = motion.attitude(integration.time());
+                // 16 000 rad in all.
+                let what = format!("{:?}, {turn} rad a step, at {}", state.body_momentum, integration.time());
+                assert_at_most(attitude_error(integration.state().world_from_body, exact), 8.0 * EPS * 16_000.0, &what);
+            }
+        }
+    }
+}
+
 /// The same against the references themselves, by whole steps and one shorter one, where these are not too many.
 #[test]
 fn exact_step_meets_the_references() {
@@ -140,14 +217,13 @@ fn exact_step_meets_the_references() {
             if case.rate() * time > 2e4 {
                 continue;
             }
-            let mut integration = start(method("exact-step").expect("a method"), &case, 0.37 / case.rate());
-            let state = integration.state_at(*time).expect("a state");
-            let bound = 8.0 * EPS * (1.0 + case.rate() * time);
-            assert_at_most(
-                attitude_error(state.world_from_body, *attitude),
-                bound,
-                &format!("{} at {time}", case.name),
-            );
+            for turn in [0.37, 1.3, 1.57, 2.5, 3.0] {
+                let mut integration = start(method("exact-step").expect("a method"), &case, turn / case.rate());
+                let state = integration.state_at(*time).expect("a state");
+                let bound = 8.0 * EPS * (1.0 + case.rate() * time);
+                let error = attitude_error(state.world_from_body, *attitude);
+                assert_at_most(error, bound, &format!("{} at {time}, {turn} rad a step", case.name));
+            }
         }
     }
 }

@@ -196,3 +196,26 @@ fn a_smaller_tilt_delays_the_flip() {
         assert_at_most((delay * sigma / (2.0 * 10f64.ln()) - 1.0).abs(), 10.0 * tilt, "delay");
     }
 }
+
+/// What the exact step rests on: with f the half-turn quaternion of a step of one length, `1/f₀²` is linear in the square of the middle
+/// component of the momentum halfway through the step (`f₀² = A/(1 − k² sn²w sn²u)`), at any step up to a half turn.
+#[test]
+fn scalar_part_of_an_exact_step() {
+    let body = body();
+    let exact = Motion::new(&body, &start(&body));
+    for step in [0.1, 0.7, 1.2, 1.9] {
+        let points = [0.0, 0.9, 1.7, 2.2, 3.1, 4.0].map(|t| {
+            let turn = so3::quaternion(exact.attitude(t).transpose() * exact.attitude(t + step));
+            (exact.momentum(t + 0.5 * step).y.powi(2), turn.w.powi(-2))
+        });
+        let (least, most) = points
+            .iter()
+            .fold((points[0], points[0]), |(a, b), &p| (if p.0 < a.0 { p } else { a }, if p.0 > b.0 { p } else { b }));
+        let slope = (most.1 - least.1) / (most.0 - least.0);
+        for (square, inverse) in points {
+            let line = least.1 + slope * (square - least.0);
+            // f₀² and the matrices have errors of a few ε; 1/f₀⁴ of it is seen, and the slope is one of two such.
+            assert_at_most((inverse - line).abs(), 64.0 * EPS * most.1.powi(2), &format!("steps of {step} s"));
+        }
+    }
+}

@@ -13,8 +13,8 @@ use crate::physics::{METHODS, Method, Motion};
 /// Angle turned in the coarsest step (rad).
 const COARSEST: f64 = 3.0;
 /// Largest steps that methods without an error of method get (rad, at the fastest moment of the motion): the fewer steps the better,
-/// down to a quarter turn.
-const EXACT_COARSEST: [f64; 3] = [1.55, 1.35, 1.19];
+/// up to a half turn.
+const EXACT_COARSEST: [f64; 4] = [3.1, 2.4, 1.55, 1.19];
 /// Smallest step of that scan (rad).
 const EXACT_FINEST: f64 = 0.1;
 /// Most points in that scan.

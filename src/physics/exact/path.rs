@@ -149,7 +149,7 @@ impl Path {
     }
 
     /// `[cn u, sn u, dn u]`, with the relative error of sn some ε however small u is.
-    pub(crate) fn from_origin(&self, u: f64) -> [f64; 3] {
+    pub(crate) fn functions_at_phase(&self, u: f64) -> [f64; 3] {
         match &self.shape {
             Shape::Steady { .. } => [1.0, 0.0, 1.0],
             Shape::Real { series, .. } => {
