@@ -20,6 +20,7 @@ mod theme;
 mod tip;
 mod vectors;
 
+use crate::camera::Camera;
 use crate::frame::{Frame, View};
 use crate::scene;
 use crate::sim::Simulation;
@@ -92,6 +93,21 @@ pub fn is_shown(object: &Object, view: &scene::View) -> bool {
     (object.shown || named(&view.show)) && !named(&view.hide)
 }
 
+/// The camera of a space as pictures of it are drawn: with room for what stands out of the sphere.
+#[must_use]
+pub fn camera(simulation: &Simulation, settings: &scene::View, cameras: &Cameras, space: Space) -> Camera {
+    let palette = Palette::new(settings.theme);
+    camera_of(&Context::new(simulation, settings, &palette), cameras, space)
+}
+
+fn camera_of(context: &Context<'_>, cameras: &Cameras, space: Space) -> Camera {
+    let mut camera = *cameras.of(space);
+    if space == Space::Body {
+        camera.distance *= surfaces::room(context);
+    }
+    camera
+}
+
 /// The picture of a simulation as it is now, in a picture of this aspect (width over height).
 #[must_use]
 pub fn build_frame(simulation: &Simulation, settings: &scene::View, cameras: &Cameras, aspect: f32) -> Frame {
@@ -100,10 +116,7 @@ pub fn build_frame(simulation: &Simulation, settings: &scene::View, cameras: &Ca
     let views = areas(settings.layout, aspect)
         .into_iter()
         .map(|(space, area)| {
-            let mut view = View::new(area, *cameras.of(space));
-            if space == Space::Body {
-                view.camera.distance *= surfaces::room(&context);
-            }
+            let mut view = View::new(area, camera_of(&context, cameras, space));
             for object in OBJECTS.iter().filter(|object| object.space == space && is_shown(object, settings)) {
                 (object.draw)(&context, &mut view);
             }

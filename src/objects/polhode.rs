@@ -1,10 +1,10 @@
 //! The path of M in the body: where the sphere and the ellipsoid meet.
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 use super::Context;
 use super::curve::simplified;
-use crate::frame::{Line, View};
+use crate::frame::{Label, Line, View};
 use crate::physics::poinsot;
 
 /// Points of the curve, evenly in arc.
@@ -16,5 +16,13 @@ pub(super) fn draw(context: &Context<'_>, view: &mut View) {
     let Some(unit) = context.unit_momentum() else { return };
     let curve = poinsot::polhode(context.simulation.body(), unit, POINTS);
     let points: Vec<Vec3> = curve.into_iter().map(|m| context.principal(m)).collect();
+    let (right, up, forward) = view.camera.axes();
+    // Well in sight, high and to the right, where neither the separatrix nor the ellipsoid has its name.
+    let fitness = |point: Vec3| point.dot(-forward).min(0.5) + 0.5 * point.dot(up) + 0.3 * point.dot(right);
+    if let Some(&anchor) = points.iter().max_by(|a, b| fitness(**a).total_cmp(&fitness(**b))) {
+        let (text, color) = ("polhode".to_owned(), context.palette.polhode);
+        let toward = Vec2::new(1.0, 0.4);
+        view.labels.push(Label { anchor, toward, gap: 12.0, text, size: 19.0, color, priority: 4 });
+    }
     view.lines.push(Line::new(simplified(&points, TOLERANCE), 4.5, context.palette.polhode).through(0.4));
 }

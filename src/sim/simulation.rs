@@ -5,6 +5,11 @@ use crate::scene::Scene;
 
 use super::{Clock, Tick};
 
+/// The method that goes to any time at once, without the steps between.
+const DIRECT: &str = "closed-form";
+/// Steps that can be counted without rounding.
+const COUNTABLE: f64 = 9e15;
+
 /// The scene's body followed by one method.
 #[derive(Clone, Debug)]
 pub struct Runner {
@@ -52,10 +57,34 @@ impl Runner {
     fn go_to(&mut self, time: f64) {
         if self.failure.is_none() {
             match self.integration.state_at(time) {
-                Ok(state) => self.state = state,
+                Ok(state) => {
+                    self.state = state;
+                    self.follow(time);
+                }
                 Err(error) => self.failure = Some(error),
             }
         }
+    }
+
+    /// A method that needed no steps to a time counts them all the same: from there it goes on.
+    fn follow(&mut self, time: f64) {
+        if self.method().name == DIRECT {
+            let target = (time / self.integration.step()).trunc().clamp(-COUNTABLE, COUNTABLE) as i64;
+            if let Err(error) = self.integration.advance(target - self.integration.steps()) {
+                self.failure = Some(error);
+            }
+        }
+    }
+
+    /// Steps that going to a time takes.
+    fn steps_to(&self, time: f64) -> f64 {
+        if self.method().name == DIRECT {
+            return 0.0;
+        }
+        let (target, now) = ((time / self.integration.step()).abs(), self.integration.steps() as f64);
+        // What lies behind is reached from the start.
+        let is_ahead = time * now >= 0.0 && target >= now.abs();
+        if is_ahead { target - now.abs() } else { target }
     }
 }
 
@@ -138,6 +167,12 @@ impl Simulation {
         if self.main.failure.is_some() {
             self.clock.paused = true;
         }
+    }
+
+    /// Steps that going to a time (s) takes, those of all methods together.
+    #[must_use]
+    pub fn steps_to(&self, time: f64) -> f64 {
+        std::iter::once(&self.main).chain(&self.ghosts).map(|runner| runner.steps_to(time)).sum()
     }
 
     /// Goes to a time (s), from the start where it lies behind.

@@ -1,6 +1,6 @@
 //! Two charts below the picture: the angular velocity in the body, and the errors of the methods.
 
-use egui::{Color32, RichText, Ui};
+use egui::{Color32, Ui};
 use egui_plot::{Corner, Legend, Line, LineStyle, Plot, PlotPoints, Points, VLine};
 
 use super::numbers::power_of_ten;
@@ -26,7 +26,7 @@ enum Kind {
 impl Kind {
     fn of(self, errors: &Errors) -> f64 {
         match self {
-            Self::Energy => errors.energy,
+            Self::Energy => errors.energy.abs(),
             Self::Momentum => errors.momentum,
             Self::Attitude => errors.attitude,
         }
@@ -69,16 +69,15 @@ impl Charts {
             .y_grid_spacer(egui_plot::uniform_grid_spacer(|_| [20.0, 10.0, 5.0]))
             .show(ui, |plot| {
                 for (index, method) in runners.iter().enumerate() {
-                    let points: Vec<[f64; 2]> = look
-                        .history
-                        .samples()
-                        .filter_map(|sample| {
-                            let error = kind.of(sample.errors.get(index)?);
-                            Some([sample.time, if error > 0.0 { error.log10().max(FLOOR) } else { FLOOR }])
-                        })
-                        .collect();
-                    let line = Line::new(method.label, PlotPoints::from(points));
-                    plot.line(line.color(method_color(method, is_dark)).width(if index == 0 { 2.5 } else { 1.5 }));
+                    let color = (look.method_color)(method, look.view.theme);
+                    let pieces = look.history.pieces(|sample| {
+                        let error = kind.of(sample.errors.get(index)?);
+                        Some(if error > 0.0 { error.log10().max(FLOOR) } else { FLOOR })
+                    });
+                    for piece in pieces {
+                        let line = Line::new(method.label, PlotPoints::from(piece));
+                        plot.line(line.color(color).width(if index == 0 { 2.5 } else { 1.5 }));
+                    }
                 }
                 finish(plot, look, is_dark)
             });
@@ -103,7 +102,7 @@ fn velocity(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let now = principal_from_body * look.sim.state().body_momentum / moments;
     let response = plot("velocity", look).show(ui, |plot| {
         for (axis, name) in ["Ω₁", "Ω₂", "Ω₃"].into_iter().enumerate() {
-            let color = axis_color(axis, is_dark);
+            let color = look.axis_colors[axis];
             let points: Vec<[f64; 2]> = curve.iter().map(|(time, omega)| [*time, omega.to_array()[axis]]).collect();
             plot.line(Line::new(name, PlotPoints::from(points)).color(color).width(2.0));
             // Where the method at work has it: off the line where the method errs.
@@ -152,49 +151,4 @@ fn go_to(time: Option<f64>, commands: &mut Vec<Command>) {
     if let Some(time) = time {
         commands.push(Command::GoTo(time));
     }
-}
-
-/// Colour of principal axis 1, 2, 3 (0, 1, 2): those of the picture.
-fn axis_color(axis: usize, is_dark: bool) -> Color32 {
-    let rgb = match (axis, is_dark) {
-        (0, true) => [0x56, 0xb4, 0xe9],
-        (1, true) => [0xe6, 0x9f, 0x00],
-        (_, true) => [0x00, 0xb3, 0x86],
-        (0, false) => [0x00, 0x72, 0xb2],
-        (1, false) => [0xd5, 0x5e, 0x00],
-        (_, false) => [0x00, 0x7f, 0x5f],
-    };
-    Color32::from_rgb(rgb[0], rgb[1], rgb[2])
-}
-
-/// Colour of a method, by its place in the table.
-pub(super) fn method_color(method: &Method, is_dark: bool) -> Color32 {
-    const DARK: [[u8; 3]; 8] = [
-        [0x56, 0xb4, 0xe9],
-        [0xe6, 0x9f, 0x00],
-        [0xcc, 0x79, 0xa7],
-        [0x00, 0xb3, 0x86],
-        [0xf0, 0xe4, 0x42],
-        [0xe0, 0x6a, 0x2c],
-        [0xb0, 0x9c, 0xff],
-        [0xe6, 0xe8, 0xeb],
-    ];
-    const LIGHT: [[u8; 3]; 8] = [
-        [0x00, 0x72, 0xb2],
-        [0xb0, 0x72, 0x00],
-        [0xb0, 0x3a, 0x78],
-        [0x00, 0x7f, 0x5f],
-        [0x7a, 0x70, 0x00],
-        [0xd5, 0x5e, 0x00],
-        [0x5a, 0x3f, 0xc0],
-        [0x20, 0x24, 0x2a],
-    ];
-    let place = crate::physics::METHODS.iter().position(|row| row.name == method.name).unwrap_or(0);
-    let [r, g, b] = if is_dark { DARK[place % 8] } else { LIGHT[place % 8] };
-    Color32::from_rgb(r, g, b)
-}
-
-/// A method's name in its colour.
-pub(super) fn method_text(method: &Method, is_dark: bool) -> RichText {
-    RichText::new(method.label).color(method_color(method, is_dark))
 }

@@ -1,7 +1,7 @@
 //! What the panels see.
 
-use crate::physics::Motion;
-use crate::scene::{Scene, View};
+use crate::physics::{Method, Motion};
+use crate::scene::{Scene, Theme, View};
 use crate::sim::{FlipWatch, History, Simulation};
 
 use super::{Pixels, Timeline};
@@ -25,6 +25,10 @@ pub struct Look<'a> {
     pub timeline: &'a Timeline,
     /// The ground of the picture: what belongs to it stands on the same.
     pub ground: egui::Color32,
+    /// Colours of the principal axes 1, 2, 3 in the picture.
+    pub axis_colors: [egui::Color32; 3],
+    /// Colour of a method in the picture.
+    pub method_color: fn(&Method, Theme) -> egui::Color32,
     /// What a click on the sphere would start.
     pub preview: Option<&'a Preview>,
     /// Titles of the scenes that can be gone through.
@@ -39,6 +43,13 @@ pub struct Look<'a> {
     pub fullscreen: bool,
     /// A sentence for the user about what was last done or refused.
     pub message: Option<&'a str>,
+}
+
+impl Look<'_> {
+    /// A method's name in its colour.
+    pub(super) fn method_text(&self, method: &Method) -> egui::RichText {
+        egui::RichText::new(method.label).color((self.method_color)(method, self.view.theme))
+    }
 }
 
 /// What is shown besides the picture.

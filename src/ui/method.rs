@@ -2,18 +2,21 @@
 
 use egui::{ComboBox, Ui};
 
-use super::charts::method_text;
 use super::widgets::{NumberRow, section};
 use super::{Command, Look};
 use crate::physics::METHODS;
 use crate::scene::{MotionFile, SceneFile};
+
+/// Height of a list that shows every method without scrolling (points).
+const LONGEST: f32 = 420.0;
 
 /// Shows it.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     section(ui, "Method");
     let scene = look.scene;
     let edit = |motion: MotionFile| Command::Edit(Box::new(SceneFile { motion, ..scene.file.clone() }));
-    let combo = ComboBox::from_id_salt("method").width(ui.available_width()).selected_text(scene.method.label);
+    let combo = ComboBox::from_id_salt("method").width(ui.available_width()).height(LONGEST);
+    let combo = combo.selected_text(scene.method.label);
     let shown = combo.show_ui(ui, |ui| {
         for method in METHODS {
             let row = ui.selectable_label(method.name == scene.method.name, method.label);
@@ -44,14 +47,14 @@ fn compare(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let scene = look.scene;
     let count = scene.compare.len();
     let name = if count == 0 { "compare with…".to_owned() } else { format!("compared with {count} more") };
-    let is_dark = ui.visuals().dark_mode;
     let width = ui.available_width();
     let close = egui::PopupCloseBehavior::CloseOnClickOutside;
-    let combo = ComboBox::from_id_salt("compare").width(width).selected_text(&name).close_behavior(close);
+    let combo =
+        ComboBox::from_id_salt("compare").width(width).height(LONGEST).selected_text(&name).close_behavior(close);
     let shown = combo.show_ui(ui, |ui| {
         for method in METHODS.iter().filter(|method| method.name != scene.method.name) {
             let mut is_on = scene.compare.iter().any(|other| other.name == method.name);
-            if ui.checkbox(&mut is_on, method_text(method, is_dark)).changed() {
+            if ui.checkbox(&mut is_on, look.method_text(method)).changed() {
                 let mut compare: Vec<String> = scene.compare.iter().map(|other| other.name.to_owned()).collect();
                 if is_on {
                     compare.push(method.name.to_owned());

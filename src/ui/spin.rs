@@ -84,12 +84,10 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         logarithmic: None,
         hint: "Angular speed at the start",
     };
-    let tilted = tilt.ui(ui, &mut spin.tilt_deg).changed();
+    let mut tilted = tilt.ui(ui, &mut spin.tilt_deg).changed();
+    tilted |= exactly(ui, &mut spin);
     if tilted | rate.ui(ui, &mut spin.rate).changed() {
         commands.push(Command::Edit(Box::new(spin.write(&look.scene.file))));
-    }
-    if spin.tilt_deg == 0.0 {
-        note(ui, if spin.axis == 2 { "Exactly on the axis: it never flips." } else { "Exactly on the axis." });
     }
     energy(ui, look, commands);
     ui.horizontal(|ui| {
@@ -105,6 +103,24 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             commands.push(Command::Poke);
         }
     });
+}
+
+/// The button for no tilt at all, which no slider is trusted to reach. True where it was pressed.
+fn exactly(ui: &mut Ui, spin: &mut Spin) -> bool {
+    let is_on = spin.tilt_deg == 0.0;
+    let pressed = ui.horizontal(|ui| {
+        let button = egui::Button::selectable(is_on, "exactly 0").frame_when_inactive(true);
+        let pressed = ui.add(button).on_hover_text("No tilt at all: the spin is about the axis itself").clicked();
+        if is_on {
+            note(ui, if spin.axis == 2 { "exactly on the axis: never flips" } else { "exactly on the axis" });
+        }
+        pressed
+    });
+    let is_new = pressed.inner && !is_on;
+    if is_new {
+        spin.tilt_deg = 0.0;
+    }
+    is_new
 }
 
 /// The energy at this momentum, between a spin about axis 3 and one about axis 1, with a tick at the separatrix.

@@ -50,7 +50,7 @@ impl Timeline {
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let Timeline { low, high, .. } = *look.timeline;
     let time = look.sim.time();
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 22.0), Sense::click_and_drag());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 25.0), Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::slider(true, time, "time (s)"));
     let track = rect.shrink2(vec2(6.0, 0.0));
     let at = |t: f64| track.left() + ((t - low) / (high - low)) as f32 * track.width();

@@ -11,6 +11,10 @@ use crate::physics::poinsot;
 /// Slowest and fastest speed, as powers of two.
 pub const SPEED_POWERS: (i32, i32) = (-6, 3);
 
+/// Room that the speed takes, and the words about flips (points).
+const SPEED_WIDTH: f32 = 240.0;
+const FLIPS_WIDTH: f32 = 190.0;
+
 /// Shows it.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     timeline::show(ui, look, commands);
@@ -30,14 +34,20 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         button(ui, icon, name, 42.0, !clock.paused, Command::PlayPause);
         button(ui, Icon::StepOn, "one step on", 34.0, false, Command::Step(1));
         button(ui, Icon::Reverse, "reverse time", 34.0, clock.speed < 0.0, Command::Reverse);
-        if look.timeline.first_flip.is_some() {
+        // Where it never flips its place stays, and so does all that stands behind it.
+        ui.add_enabled_ui(look.timeline.first_flip.is_some(), |ui| {
             button(ui, Icon::Next, "to the next flip", 34.0, false, Command::NextFlip);
-        }
+        });
         ui.add_space(8.0);
         let time = format!("{:.2} s", look.sim.time()).replace('-', "−");
         ui.add_sized([118.0, 30.0], egui::Label::new(RichText::new(time).monospace().size(22.0)).halign(Align::Min));
-        flips(ui, look);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| speed(ui, look, commands));
+        // Large text or a small window: what there is no room for goes, the least needed first.
+        if ui.available_width() > SPEED_WIDTH + FLIPS_WIDTH {
+            flips(ui, look);
+        }
+        if ui.available_width() > SPEED_WIDTH {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| speed(ui, look, commands));
+        }
     });
 }
 

@@ -7,6 +7,9 @@ use super::{Command, Look, command::Pixels, style};
 /// How much one point of wheel movement zooms.
 const ZOOM_PER_POINT: f32 = 0.0015;
 
+/// Room for the words beside a previewed start (points).
+const WORDS_WIDTH: f32 = 240.0;
+
 /// The picture's place.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Viewport {
@@ -75,11 +78,12 @@ fn preview(ui: &Ui, rect: Rect, scale: f32, look: &Look<'_>) {
         }
     }
     painter.circle(at(&preview.at), 5.0, style::accent(is_dark), front);
-    painter.text(
-        at(&preview.at) + Vec2::new(12.0, -12.0),
-        egui::Align2::LEFT_BOTTOM,
-        preview.words,
-        egui::FontId::proportional(15.0),
-        front.color,
-    );
+    // Towards the middle of the view, so that the edge cuts nothing off.
+    let (align, aside) = if at(&preview.at).x + WORDS_WIDTH > rect.right() {
+        (egui::Align2::RIGHT_BOTTOM, -12.0)
+    } else {
+        (egui::Align2::LEFT_BOTTOM, 12.0)
+    };
+    let place = at(&preview.at) + Vec2::new(aside, -12.0);
+    painter.text(place, align, preview.words, egui::FontId::proportional(15.0), front.color);
 }

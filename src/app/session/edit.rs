@@ -25,7 +25,7 @@ impl Session {
                 let is_same_motion = scene.file.body == self.scene.file.body && scene.file.spin == self.scene.file.spin;
                 let time = self.sim.time();
                 self.start(scene);
-                if is_same_motion && (time / self.scene.step).abs() <= MOST_CATCHING_UP {
+                if is_same_motion && self.sim.steps_to(time) <= MOST_CATCHING_UP {
                     self.sim.go_to(time);
                     self.time_was_set();
                 }

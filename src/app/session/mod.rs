@@ -8,7 +8,7 @@ use web_time::{Duration, Instant};
 use super::command_line::{self, Base};
 use super::pick::Pane;
 use super::remember::Remembered;
-use crate::objects::{Cameras, Palette, Space, areas};
+use crate::objects::{self, Cameras, Palette, Space, areas};
 use crate::physics::Motion;
 use crate::scene::{Layout, Preset, Scene, SceneFile, Theme, View, presets};
 use crate::sim::{FlipWatch, History, Simulation};
@@ -111,7 +111,9 @@ impl Session {
             history: &self.history,
             flips: &self.flips,
             timeline: &self.timeline,
-            ground: ground(self.scene.view.theme),
+            ground: color(Palette::new(self.scene.view.theme).background),
+            axis_colors: Palette::new(self.scene.view.theme).axes.map(color),
+            method_color: |method, theme| color(objects::method_color(method, theme)),
             preview: self.preview.as_ref(),
             titles: &self.titles,
             open: self.open,
@@ -251,7 +253,8 @@ impl Session {
         let size = self.picture_size;
         let views = areas(self.scene.view.layout, size.x / size.y);
         let (_, area) = views.into_iter().find(|(space, _)| *space == Space::Body)?;
-        Some(Pane::new(&area, size, self.cameras.body))
+        let camera = objects::camera(&self.sim, &self.scene.view, &self.cameras, Space::Body);
+        Some(Pane::new(&area, size, camera))
     }
 
     fn hover(&mut self, at: Option<Pixels>) {
@@ -269,9 +272,9 @@ impl Slide {
     }
 }
 
-/// The background of the picture, as the panels draw colours.
-fn ground(theme: Theme) -> egui::Color32 {
-    let [r, g, b, _] = Palette::new(theme).background.0.map(|channel| (channel * 255.0).round() as u8);
+/// A colour of the picture, as the panels draw colours.
+fn color(of: crate::frame::Color) -> egui::Color32 {
+    let [r, g, b, _] = of.0.map(|channel| (channel * 255.0).round() as u8);
     egui::Color32::from_rgb(r, g, b)
 }
 

@@ -6,8 +6,8 @@ use crate::physics::so3;
 use crate::sim::Tick;
 use crate::ui::{SPEED_POWERS, Timeline};
 
-/// Most steps that going to another time may take: about a tenth of a second of work.
-pub(super) const MOST_STEPS: f64 = 2e6;
+/// Most steps that going to another time may take: a few tenths of a second of work.
+pub(super) const MOST_STEPS: f64 = 4e6;
 /// Flips that the scrub bar shows from the start.
 const FLIPS_AHEAD: f64 = 5.0;
 /// Share of the momentum that must lie along the middle axis at times for the body to be seen turning over.
@@ -44,6 +44,7 @@ impl Session {
     pub(super) fn time_was_set(&mut self) {
         self.time_jumped = true;
         self.flips.jump();
+        self.history.jump();
         self.time_has_passed();
     }
 
@@ -88,9 +89,9 @@ impl Session {
     }
 
     pub(super) fn go_to(&mut self, time: f64) {
-        if ((time - self.sim.time()) / self.scene.step).abs() > MOST_STEPS {
+        if self.sim.steps_to(time) > MOST_STEPS {
             self.say(format!(
-                "{} is too many steps of {} ms away: take a longer step",
+                "{} is too many steps of {} ms away: take a longer step, or the closed form, which goes anywhere at once",
                 crate::ui::numbers::significant(time, 4) + " s",
                 self.scene.step * 1e3
             ));
