@@ -27,7 +27,7 @@ pub use offscreen::with_panels;
 pub use startup::WindowError;
 
 use crate::render::Pixels;
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneFile};
 use crate::ui::{Command, Panels};
 use open::OpenWindow;
 use pacing::Pacer;
@@ -41,8 +41,19 @@ pub struct WindowOptions {
     pub size: Option<[u32; 2]>,
     /// A part of the name of the graphics adapter to draw with.
     pub adapter: Option<String>,
+    /// The scenes to go through; those built in where there are none.
+    pub slides: Vec<Slide>,
     /// Makes a PNG file of a picture, transparent or not.
     pub encode_png: EncodePng,
+}
+
+/// A scene that can be gone to.
+#[derive(Clone, Debug)]
+pub struct Slide {
+    /// What the command line calls it: a name or a path.
+    pub name: String,
+    /// Its text.
+    pub file: SceneFile,
 }
 
 /// Makes a PNG file of a picture, transparent or not; or says why it could not.
@@ -52,16 +63,17 @@ pub type EncodePng = fn(&Pixels, bool) -> Result<Vec<u8>, String>;
 ///
 /// # Errors
 /// No display, no graphics adapter, or a library missing: one sentence that says what to do about it.
-pub fn run(scene: Scene, options: WindowOptions) -> Result<(), WindowError> {
+pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> {
     startup::check_display()?;
     let event_loop =
         EventLoop::<Wake>::with_user_event().build().map_err(|error| WindowError::Display(error.to_string()))?;
     let remembered = Remembered::load();
+    let slides = std::mem::take(&mut options.slides);
     let mut app = App {
         options,
         remembered,
         proxy: event_loop.create_proxy(),
-        session: Session::new(scene, &remembered),
+        session: Session::new(scene, slides, &remembered),
         panels: Panels::default(),
         pacer: Pacer::new(),
         window: None,

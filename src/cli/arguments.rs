@@ -14,7 +14,7 @@ const LARGEST_FILE: u64 = 1 << 20;
 /// The scene and what overrides it.
 #[derive(Args, Debug)]
 pub(super) struct SceneArguments {
-    /// Name of a built-in scene, or the path of a .toml file
+    /// Name of a built-in scene, or the path of a .toml file; for the window also of a folder of them
     #[arg(value_name = "SCENE")]
     scene: Option<PathBuf>,
     /// Edges of a solid box along the body's axes (m)
@@ -171,12 +171,26 @@ impl SceneArguments {
         is_quiet: bool,
     ) -> Result<(Scene, Vec<String>), Failure> {
         let (name, base) = self.read()?;
+        let scene = self.checked(name.as_deref(), &base, view, is_quiet)?;
+        let mut words = vec![self.name().display().to_string()];
+        words.extend(flags(&base, &scene.file));
+        Ok((scene, words))
+    }
+
+    /// The scene of a file under this name, with the overrides.
+    fn checked(
+        &self,
+        name: Option<&str>,
+        base: &SceneFile,
+        view: Option<&ViewArguments>,
+        is_quiet: bool,
+    ) -> Result<Scene, Failure> {
         let mut file = base.clone();
         self.apply(&mut file);
         if let Some(view) = view {
             view.apply(&mut file);
         }
-        let scene = Scene::check(&file).map_err(|error| match &name {
+        let scene = Scene::check(&file).map_err(|error| match name {
             Some(path) => Failure::request(format!("{path}: {error}")),
             None => Failure::from(error),
         })?;
@@ -185,9 +199,36 @@ impl SceneArguments {
                 eprintln!("dzhanibekov: {warning}");
             }
         }
-        let mut words = vec![self.name().display().to_string()];
-        words.extend(flags(&base, &file));
-        Ok((scene, words))
+        Ok(scene)
+    }
+
+    /// For the window: the scene and, where a folder is named, all scenes in it in the order of their names.
+    #[cfg(feature = "window")]
+    pub(super) fn slides(
+        &self,
+        view: &ViewArguments,
+        is_quiet: bool,
+    ) -> Result<(Scene, Vec<dzhanibekov::app::Slide>), Failure> {
+        let folder = self.name();
+        if !folder.is_dir() {
+            return Ok((self.scene(Some(view), is_quiet)?, Vec::new()));
+        }
+        let refused =
+            |error: std::io::Error| Failure::request(format!("{}: could not be read: {error}", folder.display()));
+        let entries = std::fs::read_dir(folder).map_err(refused)?;
+        let mut paths = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>, _>>().map_err(refused)?;
+        paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml") && !path.is_dir());
+        paths.sort();
+        let mut slides = Vec::new();
+        for path in &paths {
+            let (name, file) = read_file(path)?;
+            Scene::check(&file).map_err(|error| Failure::request(format!("{name}: {error}")))?;
+            slides.push(dzhanibekov::app::Slide { name, file });
+        }
+        let first = slides.first().ok_or_else(|| {
+            Failure::request(format!("{}: there is no .toml file in this folder to show as a slide", folder.display()))
+        })?;
+        Ok((self.checked(Some(&first.name), &first.file, Some(view), is_quiet)?, slides))
     }
 
     fn name(&self) -> &Path {
@@ -201,9 +242,7 @@ impl SceneArguments {
         match name.to_str() {
             Some(stem) if !is_path || preset(stem).is_ok() => Ok((None, preset(stem)?.read()?)),
             _ => {
-                let path = name.display().to_string();
-                let text = read_text(name).map_err(|reason| Failure::request(format!("{path}: {reason}")))?;
-                let file = SceneFile::parse(&text).map_err(|error| Failure::request(format!("{path}: {error}")))?;
+                let (path, file) = read_file(name)?;
                 Ok((Some(path), file))
             }
         }
@@ -280,7 +319,18 @@ fn override_with<T>(value: &mut Option<T>, given: Option<T>) {
     }
 }
 
+/// Reads a scene file; its path comes with it.
+fn read_file(path: &Path) -> Result<(String, SceneFile), Failure> {
+    let name = path.display().to_string();
+    let text = read_text(path).map_err(|reason| Failure::request(format!("{name}: {reason}")))?;
+    let file = SceneFile::parse(&text).map_err(|error| Failure::request(format!("{name}: {error}")))?;
+    Ok((name, file))
+}
+
 fn read_text(path: &Path) -> Result<String, String> {
+    if path.is_dir() {
+        return Err("is a folder, which only the window can show; here name one of the scenes in it".to_owned());
+    }
     let length = std::fs::metadata(path).map_err(|error| format!("could not be read: {error}"))?.len();
     if length > LARGEST_FILE {
         return Err(format!("is {length} bytes long, and a scene has at most {LARGEST_FILE}"));

@@ -145,20 +145,21 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
 }
 
 fn window(arguments: &Arguments) -> Result<(), Failure> {
-    let scene = arguments.scene.scene(Some(&arguments.view), arguments.quiet)?;
     #[cfg(feature = "window")]
     {
+        let (scene, slides) = arguments.scene.slides(&arguments.view, arguments.quiet)?;
         picture::check_objects(&scene)?;
         let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
         let encode_png = |pixels: &dzhanibekov::render::Pixels, transparent| {
             dzhanibekov::headless::encode(pixels, transparent, &[]).map_err(|error| error.to_string())
         };
-        let options = dzhanibekov::app::WindowOptions { size, adapter: arguments.adapter.clone(), encode_png };
+        let options = dzhanibekov::app::WindowOptions { size, adapter: arguments.adapter.clone(), slides, encode_png };
         dzhanibekov::app::run(scene, options).map_err(|error| Failure::could(error.to_string()))
     }
     #[cfg(not(feature = "window"))]
     {
-        let _ = (scene, &arguments.size, &arguments.adapter);
+        arguments.scene.scene(Some(&arguments.view), arguments.quiet)?;
+        let _ = (&arguments.size, &arguments.adapter);
         Err(Failure::not_built("the window", "window"))
     }
 }

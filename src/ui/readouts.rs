@@ -25,7 +25,7 @@ pub(super) fn motion(ui: &mut Ui, look: &Look<'_>) {
     let angles = omega.to_array().map(|along| format!("{:.0}°", angle(along)));
     line(ui, "ω from axes 1, 2, 3", &angles.join("  "));
 
-    note(ui, "what stays the same");
+    note(ui, "what stays the same, and its drift");
     kept(ui, look, "energy K", look.sim.energy_error(), |errors| errors.energy);
     kept(ui, look, "momentum L", look.sim.momentum_error(), |errors| errors.momentum);
 }

@@ -95,7 +95,7 @@ impl Session {
 
     pub(super) fn open_slide(&mut self, index: usize) {
         let Some(slide) = self.slides.get(index) else { return };
-        let base = Base { name: slide.name.to_owned(), file: slide.file.clone() };
+        let base = Base { name: slide.name.clone(), file: slide.file.clone() };
         match Scene::check(&base.file) {
             Ok(scene) => {
                 self.open_scene(scene);

@@ -3,8 +3,11 @@
 mod edit;
 mod time;
 
+use std::path::Path;
+
 use web_time::{Duration, Instant};
 
+use super::Slide;
 use super::command_line::{self, Base};
 use super::pick::Pane;
 use super::remember::Remembered;
@@ -45,13 +48,6 @@ pub(super) struct Session {
     pub(super) picture_size: Pixels,
 }
 
-/// A scene that can be gone to.
-#[derive(Debug)]
-struct Slide {
-    name: &'static str,
-    file: SceneFile,
-}
-
 /// What only the window itself can do.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Request {
@@ -69,12 +65,12 @@ pub(super) enum Request {
 }
 
 impl Session {
-    pub(super) fn new(scene: Scene, remembered: &Remembered) -> Self {
-        let slides: Vec<Slide> = presets().into_iter().filter_map(|preset| Slide::of(&preset)).collect();
+    pub(super) fn new(scene: Scene, slides: Vec<Slide>, remembered: &Remembered) -> Self {
+        let slides = if slides.is_empty() { built_in() } else { slides };
         let open = slides.iter().position(|slide| slide.file.title == scene.file.title);
         let base = slides.get(open.unwrap_or(0)).map_or_else(
             || Base { name: "flip".to_owned(), file: SceneFile::default() },
-            |slide| Base { name: slide.name.to_owned(), file: slide.file.clone() },
+            |slide| Base { name: slide.name.clone(), file: slide.file.clone() },
         );
         let motion = Motion::new(&scene.body, &scene.start);
         let mut session = Self {
@@ -85,7 +81,7 @@ impl Session {
             flips: FlipWatch::default(),
             timeline: Timeline { low: 0.0, high: 10.0, first_flip: None, period: None },
             preview: None,
-            titles: slides.iter().map(|slide| slide.file.title.clone()).collect(),
+            titles: slides.iter().map(title_of).collect(),
             slides,
             open,
             base,
@@ -266,10 +262,17 @@ impl Session {
     }
 }
 
-impl Slide {
-    fn of(preset: &Preset) -> Option<Self> {
-        Some(Self { name: preset.name, file: preset.read().ok()? })
-    }
+/// The scenes built into the program.
+fn built_in() -> Vec<Slide> {
+    let slide = |preset: Preset| Some(Slide { name: preset.name.to_owned(), file: preset.read().ok()? });
+    presets().into_iter().filter_map(slide).collect()
+}
+
+/// What the list of scenes calls it: its title, or else its file.
+fn title_of(slide: &Slide) -> String {
+    let title = slide.file.title.trim();
+    let stem = Path::new(&slide.name).file_stem().map_or(slide.name.clone().into(), std::ffi::OsStr::to_string_lossy);
+    if title.is_empty() { stem.into_owned() } else { title.to_owned() }
 }
 
 /// A colour of the picture, as the panels draw colours.
