@@ -17,7 +17,7 @@ pub(super) const METHOD: Method = Method {
     keeps_momentum: Keeps::Exactly,
     keeps_rotation: Keeps::Exactly,
     keeps_energy: Keeps::Exactly,
-    cost: "one square root, two divisions, no trigonometric function",
+    cost: "one square root, one or two divisions, no trigonometric function",
     source: "Moser & Veselov, Comm. Math. Phys. 139 (1991) 217, calibrated on the closed form",
     start: |problem| Box::new(ExactStep::new(problem)),
 };
@@ -33,8 +33,14 @@ const SMALLEST: f64 = 1e-140;
 /// which several at a time hide.
 const LANES: usize = 4;
 
-/// Steps after which the attitude's quaternion is brought back to unit length. A step shortens it by `sech(π/2) = 0.4` at most.
+/// Steps after which the attitude's quaternion is brought back to unit length. A step shortens it by `sech(π/2) = 0.4` at most, and
+/// lengthens it by `1/cos ½ = 1.14`.
 const STEPS_TO_UNIT: usize = 64;
+
+/// An increment of the phase, or a turn (rad), below this is taken as a small change of what it is added to.
+const SHORT: f64 = 1.0;
+
+const NOTHING: DQuat = DQuat::from_xyzw(0.0, 0.0, 0.0, 0.0);
 
 /// The body in the standard position of its orbit.
 ///
@@ -57,22 +63,32 @@ const STEPS_TO_UNIT: usize = 64;
 /// M itself is needed only where it is asked for, half a step back from u. The phases of [`LANES`] steps are held at once, and each is
 /// moved on by as many steps; the closed form gives the first ones, and gives them anew when the length of the step or its sign changes.
 ///
+/// The functions of the increment and F are close to 1 where the step is short. Rounded as they are they would turn each step by ε too
+/// much or too little, always to the same side, `ε/h` in a unit of time. So both recurrences are sums, old plus change: [`ShortIncrement`]
+/// makes the change of cn and sn from small quantities, and the attitude's is `q(F − 1)` of the whole round, with `F/p₀` for F where
+/// turns are short. Rounding of the constants is then `ε` of the change, and what rounding leaves out of the sum goes into the next one
+/// (Kahan, Comm. ACM 8 (1965) 40).
+///
 /// A steady motion, a step of [`LARGEST_TURN`] or more, and an orbit within [`SMALLEST`] of the separatrix are taken by the closed form,
-/// which the same object holds. Error: functions and F are good to a few ε, relatively, at any such step, and what rounding
-/// takes from the phase does not grow by itself: `8ε(1 + |Ω|t)` in the attitude, `1e-13` in the energy.
+/// which the same object holds. Error: functions and `F − 1` are good to a few ε, relatively, at any such step however short,
+/// and what rounding takes from the phase does not grow by itself: `8ε(1 + |Ω|t)` in the attitude, `1e-13` in the energy.
 ///
 /// Source: the step is Moser and Veselov's, the addition theorem DLMF 22.8; `f₀² = A/D` is derived here, and a test measures it.
 #[derive(Clone)]
 struct ExactStep {
     path: Path,
     orbit: Orbit,
-    /// Of any length.
+    /// At the start of this round, of any length.
     attitude: DQuat,
+    /// What the sum left out of the attitude.
+    attitude_rest: DQuat,
+    /// The steps of this round that were taken turn by `1 + this`.
+    turn: DQuat,
     /// Halfway through each of the steps of this round.
     lanes: Lanes,
     /// Steps of this round that were taken.
     lane: usize,
-    /// Steps since the attitude had unit length.
+    /// Steps since the attitude had unit length, a round that was broken off counted as a whole one.
     steps_from_unit: usize,
     /// The time is `origin + count |step|`, so that no rounding piles up.
     origin: f64,
@@ -80,12 +96,14 @@ struct ExactStep {
     calibration: Calibration,
 }
 
-/// cn, sn and dn of several phases.
-#[derive(Clone, Copy)]
+/// cn, sn and dn of several phases, and what the sums left out of the first two.
+#[derive(Clone, Copy, Default)]
 struct Lanes {
     cn: [f64; LANES],
     sn: [f64; LANES],
     dn: [f64; LANES],
+    cn_rest: [f64; LANES],
+    sn_rest: [f64; LANES],
 }
 
 /// What a step of one length needs.
@@ -98,11 +116,12 @@ struct Calibration {
 
 #[derive(Clone, Copy)]
 struct Constants {
-    /// `p₀` and `(p₁, p₂, p₃)`.
+    /// `p₀ − 1` and `(p₁, p₂, p₃)`.
     scalar: f64,
     weights: DVec3,
-    /// By [`LANES`] steps, and by half a step back.
+    /// By [`LANES`] steps, the second where they are short, and by half a step back.
     round: Increment,
+    short_round: Option<ShortIncrement>,
     half_back: Increment,
 }
 
@@ -123,6 +142,19 @@ struct Increment {
     k1_2: f64,
 }
 
+/// The same for an increment of [`SHORT`] at most: all of these are as small as it, with a small relative error.
+#[derive(Clone, Copy)]
+struct ShortIncrement {
+    sn: f64,
+    sn_dn: f64,
+    /// `k² sn²`, `1 − cn` and `1 − cn dn`.
+    squared: f64,
+    beyond_cn: f64,
+    beyond_cn_dn: f64,
+    k2: f64,
+    k1_2: f64,
+}
+
 impl ExactStep {
     fn new(problem: &Problem) -> Self {
         let orbit = Orbit::new(problem.moments, problem.momentum, problem.momentum_tail);
@@ -130,7 +162,9 @@ impl ExactStep {
             path: Path::new(&orbit),
             orbit,
             attitude: DQuat::IDENTITY,
-            lanes: Lanes { cn: [0.0; LANES], sn: [0.0; LANES], dn: [0.0; LANES] },
+            attitude_rest: NOTHING,
+            turn: NOTHING,
+            lanes: Lanes::default(),
             lane: 0,
             steps_from_unit: 0,
             origin: 0.0,
@@ -153,7 +187,7 @@ impl ExactStep {
     /// this leaves of it only what turns about L.
     fn upright(&self) -> DQuat {
         let ell = self.orbit.ell.value();
-        let attitude = self.attitude.normalize();
+        let attitude = (self.attitude + (self.attitude * self.turn + self.attitude_rest)).normalize();
         if ell == 0.0 {
             return attitude;
         }
@@ -179,6 +213,7 @@ impl ExactStep {
             self.calibration.constants = None;
         }
         self.lane = 0;
+        self.end_turn();
         for lane in 0..LANES {
             self.lanes.set(lane, self.path.functions(now + (lane as f64 + 0.5) * step));
         }
@@ -189,18 +224,40 @@ impl ExactStep {
     fn turn(&mut self, constants: &Constants, lane: usize) {
         let [cn, sn, dn] = self.lanes.get(lane);
         let weights = constants.weights;
-        self.attitude *= DQuat::from_xyzw(weights.x * cn, weights.y * sn, weights.z * dn, constants.scalar);
+        let step = DQuat::from_xyzw(weights.x * cn, weights.y * sn, weights.z * dn, constants.scalar);
+        self.turn = if lane == 0 { step } else { self.turn + (step + self.turn * step) };
+    }
+
+    /// The attitude by the turns of this round.
+    #[inline]
+    fn end_turn(&mut self) {
+        self.add_to_attitude(self.attitude * self.turn);
+        self.turn = NOTHING;
+        self.steps_from_unit += LANES;
+        if self.steps_from_unit >= STEPS_TO_UNIT {
+            let beyond = self.attitude.length_recip() - 1.0;
+            self.attitude_rest *= 1.0 + beyond;
+            self.add_to_attitude(self.attitude * beyond);
+            self.steps_from_unit = 0;
+        }
+    }
+
+    #[inline]
+    fn add_to_attitude(&mut self, change: DQuat) {
+        let change = change + self.attitude_rest;
+        let sum = self.attitude + change;
+        self.attitude_rest = change - (sum - self.attitude);
+        self.attitude = sum;
     }
 
     /// After the last step of a round.
     #[inline]
     fn next_round(&mut self, constants: &Constants) {
-        self.lanes.add(&constants.round);
-        self.steps_from_unit += LANES;
-        if self.steps_from_unit >= STEPS_TO_UNIT {
-            self.attitude = self.attitude.normalize();
-            self.steps_from_unit = 0;
+        match &constants.short_round {
+            Some(increment) => self.lanes.add_short(increment),
+            None => self.lanes.add(&constants.round),
         }
+        self.end_turn();
     }
 }
 
@@ -211,6 +268,7 @@ impl Stepper for ExactStep {
         self.count += if step < 0.0 { -signed } else { signed };
         let Some(constants) = self.calibration.constants else {
             self.attitude = self.path.at(self.time()).0;
+            self.attitude_rest = NOTHING;
             return Ok(());
         };
         let mut left = count;
@@ -255,12 +313,29 @@ impl Lanes {
 
     fn set(&mut self, lane: usize, [cn, sn, dn]: [f64; 3]) {
         (self.cn[lane], self.sn[lane], self.dn[lane]) = (cn, sn, dn);
+        (self.cn_rest[lane], self.sn_rest[lane]) = (0.0, 0.0);
     }
 
     #[inline]
     fn add(&mut self, increment: &Increment) {
         for lane in 0..LANES {
             self.set(lane, increment.add(self.get(lane)));
+        }
+    }
+
+    #[inline]
+    fn add_short(&mut self, increment: &ShortIncrement) {
+        for lane in 0..LANES {
+            let [c, s, _] = self.get(lane);
+            let [cn_change, sn_change] = increment.change(self.get(lane));
+            let (cn_change, sn_change) = (cn_change + self.cn_rest[lane], sn_change + self.sn_rest[lane]);
+            // Back to their circle, to first order.
+            let (cosine, sine) = (c + cn_change, s + sn_change);
+            let beyond = 0.5 * ((1.0 - sine * sine) - cosine * cosine);
+            let (cn_change, sn_change) = (cn_change + cosine * beyond, sn_change + sine * beyond);
+            let (cosine, sine) = (c + cn_change, s + sn_change);
+            self.set(lane, [cosine, sine, (increment.k1_2 + increment.k2 * (cosine * cosine)).sqrt()]);
+            (self.cn_rest[lane], self.sn_rest[lane]) = (cn_change - (cosine - c), sn_change - (sine - s));
         }
     }
 }
@@ -303,6 +378,30 @@ impl Increment {
     }
 }
 
+impl ShortIncrement {
+    fn new(orbit: &Orbit, [cn, sn, dn]: [f64; 3]) -> Self {
+        let (k2, k1_2) = (orbit.modulus.powi(2), orbit.complementary_modulus.powi(2));
+        let squared = k2 * (sn * sn);
+        let beyond_cn = sn * sn / (1.0 + cn);
+        let beyond_dn = squared / (1.0 + dn);
+        let beyond_cn_dn = beyond_cn + beyond_dn * cn;
+        Self { sn, sn_dn: sn * dn, squared, beyond_cn, beyond_cn_dn, k2, k1_2 }
+    }
+
+    /// What the addition theorem, with `D = 1 − k²s²s₁²`, adds to cn and sn:
+    /// `D Δsn = s(k²s²s₁² − (1 − c₁d₁)) + c d s₁`, `D Δcn = c(k²s²s₁² − (1 − c₁)) − s d s₁d₁`.
+    ///
+    /// No digit is lost here as the increment gets small, and D is above `sech² 1 = 0.4`.
+    #[inline]
+    fn change(&self, [c, s, d]: [f64; 3]) -> [f64; 2] {
+        let common = self.squared * (s * s);
+        let inverse = 1.0 / (1.0 - common);
+        let cn_change = (c * (common - self.beyond_cn) - (s * d) * self.sn_dn) * inverse;
+        let sn_change = (s * (common - self.beyond_cn_dn) + (c * d) * self.sn) * inverse;
+        [cn_change, sn_change]
+    }
+}
+
 impl Calibration {
     /// Finds F from the step that is symmetric about `u = 0`, from −w to w, and from `Ĩ⁻¹ = αI⁻¹ + β`.
     ///
@@ -337,10 +436,15 @@ impl Calibration {
         let both = 2.0 / step * DVec3::new(f1 * dn, 0.0, f3 * cn) - alpha * b / i;
         let beta = (b.x * both.x + b.z * both.z) / (b.x * b.x + b.z * b.z);
         let weights = DVec3::new(f1, 0.5 * step * b.y * (alpha / i.y + beta), f3);
+        // Where the step is short the length of F is chosen so that nothing is left of `p₀ − 1` to be rounded.
+        let round = LANES as f64 * rate * step;
+        let increment = path.functions_at_phase(round);
+        let is_short = turn < SHORT;
         let constants = Constants {
-            scalar: f0,
-            weights,
-            round: Increment::new(orbit, path.functions_at_phase(LANES as f64 * rate * step)),
+            scalar: if is_short { 0.0 } else { f0 - 1.0 },
+            weights: if is_short { weights / f0 } else { weights },
+            round: Increment::new(orbit, increment),
+            short_round: (round.abs() < SHORT).then(|| ShortIncrement::new(orbit, increment)),
             half_back: Increment::new(orbit, [cn, -sn, dn]),
         };
         if weights.is_finite() && f0.is_finite() { Self { constants: Some(constants), ..closed } } else { closed }
