@@ -17,7 +17,7 @@ use crate::ui::{self, Panels, style};
 /// What the device reports.
 pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]) -> Result<Pixels, GpuError> {
     let window = (width, height);
-    let mut session = Session::new(scene, &Remembered::default());
+    let mut session = Session::new(scene, Vec::new(), &Remembered::default());
     session.sim.clock.paused = true;
     session.show_time(time);
 

@@ -4,6 +4,8 @@ use egui::{Color32, PointerButton, Pos2, Rect, Sense, Stroke, Ui, Vec2};
 
 use super::{Command, Look, command::Pixels, style};
 
+/// How long (s) the polhode under a pointer at rest is shown.
+const PREVIEW_SECONDS: f32 = 2.5;
 /// How much one point of wheel movement zooms.
 const ZOOM_PER_POINT: f32 = 0.0015;
 
@@ -52,7 +54,12 @@ impl Viewport {
         {
             commands.push(Command::Pick(within(pointer)));
         }
-        let pointer = response.hover_pos().filter(|_| !response.dragged()).map(within);
+        // A pointer left lying on the sphere asks for nothing.
+        let still = ui.input(|input| input.pointer.time_since_last_movement());
+        if response.hovered() && still < PREVIEW_SECONDS {
+            ui.ctx().request_repaint_after_secs(PREVIEW_SECONDS - still);
+        }
+        let pointer = response.hover_pos().filter(|_| !response.dragged() && still < PREVIEW_SECONDS).map(within);
         if pointer != self.pointer {
             self.pointer = pointer;
             commands.push(Command::Hover(pointer));
