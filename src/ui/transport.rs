@@ -82,7 +82,11 @@ fn flips(ui: &mut Ui, look: &Look<'_>) {
         match (next, look.timeline.period) {
             (Some(next), _) => {
                 let wait = (next - look.sim.time()).abs();
-                ui.label(words(format!("flip {} in {:.1} s", look.flips.count() + 1, wait)));
+                // Counted from the start, wherever one came from.
+                let first = look.timeline.first_flip.unwrap_or(next);
+                let number = look.timeline.period.map_or(0.0, |period| ((next - first) / period).round()) + 1.0;
+                let name = if number >= 1.0 { format!("flip {number}") } else { "flip".to_owned() };
+                ui.label(words(format!("{name} in {wait:.1} s")));
             }
             (None, _) if look.timeline.first_flip.is_some() => {
                 ui.label(words("no flip comes any more".to_owned()));
