@@ -12,7 +12,7 @@ use crate::physics::poinsot;
 pub const SPEED_POWERS: (i32, i32) = (-6, 3);
 
 /// Room that the speed takes, and the words about flips (points).
-const SPEED_WIDTH: f32 = 240.0;
+const SPEED_WIDTH: f32 = 225.0;
 const FLIPS_WIDTH: f32 = 190.0;
 
 /// Shows it.
