@@ -55,7 +55,7 @@ pub(super) fn room(context: &Context<'_>) -> f32 {
     let scene = context.simulation.scene();
     let ell = so3::norm(scene.start.body_momentum);
     let longest = if ell > 0.0 { energy_reach(&scene.body, scene.start.body_momentum / ell) } else { 1.0 };
-    (longest / 1.3).clamp(1.0, 2.0)
+    (longest / 1.3).clamp(1.0, 1.7)
 }
 
 /// The longest semi-axis of the energy ellipsoid through a momentum.

@@ -2,11 +2,10 @@
 
 use super::Simulation;
 
-/// Counts the flips that a simulation goes through and measures the time between them.
+/// Notes the flips that a simulation goes through and measures the time between them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FlipWatch {
     last: Option<(f64, f64)>,
-    count: u64,
     latest: Option<f64>,
     between: Option<f64>,
 }
@@ -22,7 +21,6 @@ impl FlipWatch {
         {
             // Between two looks the momentum runs as good as straight through 0.
             let crossed = time + (now.0 - time) * before / (before - along_middle);
-            self.count += 1;
             self.between = self.latest.map(|latest| (crossed - latest).abs());
             self.latest = Some(crossed);
         }
@@ -32,12 +30,6 @@ impl FlipWatch {
     pub fn jump(&mut self) {
         self.last = None;
         self.latest = None;
-    }
-
-    /// Flips seen since the start.
-    #[must_use]
-    pub fn count(&self) -> u64 {
-        self.count
     }
 
     /// Time (s) between the last two flips seen.

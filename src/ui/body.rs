@@ -97,7 +97,7 @@ fn moments_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         );
         ui.label(egui::RichText::new(text).small().color(style::warning(ui.visuals().dark_mode)));
     } else {
-        note(ui, "A solid: no moment exceeds the sum of the other two.");
+        note(ui, "A solid: none exceeds the sum of the other two.");
     }
     if changed {
         edit(file, commands, BodyFile { moments: Some(moments), ..BodyFile::default() });

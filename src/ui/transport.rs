@@ -12,7 +12,7 @@ use crate::physics::poinsot;
 pub const SPEED_POWERS: (i32, i32) = (-6, 3);
 
 /// Room that the speed takes, and the words about flips (points).
-const SPEED_WIDTH: f32 = 240.0;
+const SPEED_WIDTH: f32 = 225.0;
 const FLIPS_WIDTH: f32 = 190.0;
 
 /// Shows it.
@@ -82,7 +82,11 @@ fn flips(ui: &mut Ui, look: &Look<'_>) {
         match (next, look.timeline.period) {
             (Some(next), _) => {
                 let wait = (next - look.sim.time()).abs();
-                ui.label(words(format!("flip {} in {:.1} s", look.flips.count() + 1, wait)));
+                // Counted from the start, wherever one came from.
+                let first = look.timeline.first_flip.unwrap_or(next);
+                let number = look.timeline.period.map_or(0.0, |period| ((next - first) / period).round()) + 1.0;
+                let name = if number >= 1.0 { format!("flip {number}") } else { "flip".to_owned() };
+                ui.label(words(format!("{name} in {wait:.1} s")));
             }
             (None, _) if look.timeline.first_flip.is_some() => {
                 ui.label(words("no flip comes any more".to_owned()));
