@@ -42,26 +42,44 @@ fn vertex_hidden(mark: Mark, @builtin(vertex_index) index: u32) -> Corner {
     return corner(mark, index, true);
 }
 
-// Distance to the outline (pixels), negative inside.
+fn square(a: vec2f, half: f32) -> f32 {
+    return max(a.x, a.y) - half;
+}
+
+fn diamond(a: vec2f, half: f32) -> f32 {
+    return (a.x + a.y - half) * 0.7071;
+}
+
+fn triangle(a: vec2f, up: f32, inner: f32) -> f32 {
+    return max(a.x * 0.866 + up * 0.5, -up) - inner;
+}
+
+// Distance to the outline (pixels), negative inside. Forms are those of `Mark` in src/frame.rs, by their places.
 fn outline(form: f32, p: vec2f, radius: f32) -> f32 {
     let a = abs(p);
-    if form < 0.5 {
-        return length(p) - radius;
+    // Half the stroke of the empty forms.
+    let stroke = 0.2 * radius;
+    switch u32(form) {
+        case 0u: { return length(p) - radius; }
+        case 1u: { return abs(length(p) - 0.8 * radius) - stroke; }
+        case 2u: { return diamond(a, 1.2 * radius); }
+        case 3u: {
+            let turned = vec2f(a.x + a.y, abs(a.x - a.y)) * 0.7071;
+            return max(turned.x - 1.15 * radius, turned.y - 0.26 * radius);
+        }
+        case 4u: { return square(a, 0.85 * radius); }
+        case 5u: { return triangle(a, p.y, 0.6 * radius); }
+        case 6u: { return triangle(a, -p.y, 0.6 * radius); }
+        case 7u: { return abs(square(a, 0.68 * radius)) - stroke; }
+        case 8u: { return abs(diamond(a, 0.95 * radius)) - stroke; }
+        case 9u: { return abs(triangle(a, p.y, 0.45 * radius)) - stroke; }
+        default: {
+            // Where the edges from a tip of one axis to the waist on the diagonal cut.
+            let far = max(a.x, a.y);
+            let near = min(a.x, a.y);
+            return (far * 0.36 + near * 0.933) - 0.43 * radius;
+        }
     }
-    if form < 1.5 {
-        return abs(length(p) - 0.8 * radius) - 0.2 * radius;
-    }
-    if form < 2.5 {
-        return (a.x + a.y - 1.2 * radius) * 0.7071;
-    }
-    if form < 3.5 {
-        let turned = vec2f(a.x + a.y, abs(a.x - a.y)) * 0.7071;
-        return max(turned.x - 1.15 * radius, turned.y - 0.26 * radius);
-    }
-    if form < 4.5 {
-        return max(a.x, a.y) - 0.85 * radius;
-    }
-    return max(a.x * 0.866 + p.y * 0.5, -p.y) - 0.6 * radius;
 }
 
 @fragment

@@ -60,11 +60,12 @@ struct Sight {
     half_way: vec3f,
 }
 
-fn wall(quadric: Quadric, meeting: Meeting, sight: Sight, depth: f32, coverage: f32) -> Wall {
+// The near wall shows its outer side, the far one its inner side. (The sign of `facing` would not tell on the soft edge.)
+fn wall(quadric: Quadric, meeting: Meeting, sight: Sight, outer: bool, coverage: f32) -> Wall {
+    let depth = select(meeting.far, meeting.near, outer);
     let unit = meeting.origin + depth * meeting.ray;
     let outward = normalize((vec4f(unit, 0.0) * quadric.unit_from_world).xyz);
     let facing = dot(outward, sight.to_eye);
-    let outer = facing > 0.0;
     // A thin wall takes more light the more aslant it is seen, so the rim reads as a rim.
     let alpha = quadric.color.a;
     let opacity = alpha / (alpha + (1.0 - alpha) * max(abs(facing), 0.2));
@@ -102,12 +103,12 @@ fn fragment(corner: Corner) -> Fragment {
     var c = absent;
     var d = absent;
     if first > 0.0 {
-        a = wall(pair.first, one, sight, one.near, first * near);
-        c = wall(pair.first, one, sight, one.far, first * far);
+        a = wall(pair.first, one, sight, true, first * near);
+        c = wall(pair.first, one, sight, false, first * far);
     }
     if second > 0.0 {
-        b = wall(pair.second, two, sight, two.near, second * near);
-        d = wall(pair.second, two, sight, two.far, second * far);
+        b = wall(pair.second, two, sight, true, second * near);
+        d = wall(pair.second, two, sight, false, second * far);
     }
     // Near to far: a sorting network of four, the pairs (a, c) and (b, d) being in order already.
     var t = a;

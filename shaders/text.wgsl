@@ -45,9 +45,6 @@ fn fragment(in: Corner) -> @location(0) vec4f {
             cover = max(cover, 0.6 * coverage(in.texel + away, in.box));
             cover = max(cover, coverage(in.texel + 0.6 * away, in.box));
         }
-    } else {
-        // The font is a light one: it is read from far when its edges are drawn fuller.
-        cover = pow(cover, 0.62);
     }
     let opacity = cover * in.color.a;
     if opacity <= 0.0 {

@@ -104,13 +104,16 @@ pub struct View {
     pub points: Vec<Point>,
     /// Texts beside points of the scene.
     pub labels: Vec<Label>,
+    /// Texts in the lower left corner, the first one highest.
+    pub notes: Vec<Note>,
 }
 
 impl View {
     /// An empty view.
     #[must_use]
     pub fn new(area: Area, camera: Camera) -> Self {
-        Self { area, camera, solids: vec![], quadrics: vec![], lines: vec![], points: vec![], labels: vec![] }
+        let (solids, quadrics, lines, points) = (vec![], vec![], vec![], vec![]);
+        Self { area, camera, solids, quadrics, lines, points, labels: vec![], notes: vec![] }
     }
 }
 
@@ -235,6 +238,7 @@ impl Line {
 
 /// The form of a mark: marks are told apart without their colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
 pub enum Mark {
     /// A ball.
     Disc,
@@ -248,6 +252,16 @@ pub enum Mark {
     Square,
     /// A triangle.
     Triangle,
+    /// A triangle on its tip.
+    TriangleDown,
+    /// An empty square.
+    OpenSquare,
+    /// An empty square on its corner.
+    OpenDiamond,
+    /// An empty triangle.
+    OpenTriangle,
+    /// A star of four points.
+    Star,
 }
 
 /// A mark of constant size on the screen.
@@ -265,6 +279,8 @@ pub struct Point {
     pub rim: Color,
     /// Factor on the opacity where a surface hides the mark.
     pub hidden: f32,
+    /// Follows the motion.
+    pub moves: bool,
 }
 
 /// A text beside a point of the scene. Labels avoid each other and stay in the picture; those of higher
@@ -285,4 +301,32 @@ pub struct Label {
     pub color: Color,
     /// Higher ones choose their places first.
     pub priority: i32,
+    /// Follows the motion. Labels that do not choose first and heed no moving marks: they stand still while time runs.
+    pub moves: bool,
+}
+
+/// A line of text in the corner of a view, after a sample of what it explains.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Note {
+    /// The text.
+    pub text: String,
+    /// Height of the text (points).
+    pub size: f32,
+    /// Its colour.
+    pub color: Color,
+    /// What stands before it.
+    pub sample: Option<Sample>,
+}
+
+/// A short piece of a line with a mark on it, as a legend shows them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Pattern of the line, its period in points.
+    pub dash: Dash,
+    /// Form of the mark.
+    pub mark: Mark,
+    /// Colour of both.
+    pub color: Color,
+    /// Colour of the rim round the mark.
+    pub rim: Color,
 }

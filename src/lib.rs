@@ -92,5 +92,7 @@ pub mod render;
 pub mod report;
 pub mod scene;
 pub mod sim;
+#[cfg(feature = "picture")]
+pub mod typeface;
 #[cfg(feature = "window")]
 pub mod ui;

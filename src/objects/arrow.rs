@@ -28,6 +28,6 @@ pub(super) fn add(view: &mut View, from: Vec3, to: Vec3, color: Color) {
         Vec2::new(0.0, length),
     ];
     let mut mesh = Mesh::default();
-    add_lathe(&mut mesh, from, map, &profile, ROUND, |_| color);
+    add_lathe(&mut mesh, from, map, &profile, false, ROUND, |_| color);
     view.solids.push(Solid { mesh, opaque: true });
 }

@@ -21,7 +21,16 @@ pub(super) fn axes(context: &Context<'_>, view: &mut View) {
         let index = ['₁', '₂', '₃'][number];
         let text = format!("I{index} = {}", significant(moments[number]));
         let toward = Vec2::new(2.0 * axis.dot(right), axis.dot(up));
-        view.labels.push(Label { anchor: axis * REACH, toward, gap: 6.0, text, size: 19.0, color, priority: 5 });
+        view.labels.push(Label {
+            anchor: axis * REACH,
+            toward,
+            gap: 6.0,
+            text,
+            size: 19.0,
+            color,
+            priority: 5,
+            moves: false,
+        });
     }
 }
 
@@ -38,16 +47,31 @@ pub(super) fn poles(context: &Context<'_>, view: &mut View) {
         let size = if mark == Mark::Cross { 19.0 } else { 12.0 };
         for sign in [1.0, -1.0] {
             let position = Vec3::AXES[number] * sign;
-            view.points.push(Point { position, size, mark, color, rim: context.palette.background, hidden: 0.35 });
+            view.points.push(Point {
+                position,
+                size,
+                mark,
+                color,
+                rim: context.palette.background,
+                hidden: 0.35,
+                moves: false,
+            });
         }
     }
+}
+
+/// A whole number set high.
+fn superscript(number: i32) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let high = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
+    number.to_string().chars().map(high).collect()
 }
 
 /// Three significant digits, without needless zeros.
 fn significant(value: f64) -> String {
     let exponent = value.log10().floor();
     if !(-4.0..5.0).contains(&exponent) {
-        return format!("{value:.2e}");
+        return format!("{:.2}·10{}", value / 10_f64.powf(exponent), superscript(exponent as i32));
     }
     let places = (2.0 - exponent).max(0.0) as usize;
     let text = format!("{value:.places$}");

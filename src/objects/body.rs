@@ -33,13 +33,14 @@ pub(super) fn mesh_of(context: &Context<'_>, state: &State, colors: [[Color; 3];
             }
             PartKind::Cylinder => {
                 let rim = [Vec2::new(0.0, -1.0), Vec2::new(1.0, -1.0), Vec2::new(1.0, 1.0), Vec2::new(0.0, 1.0)];
-                mesh::add_lathe(&mut mesh, centre, map, &rim, ROUND, color);
+                mesh::add_lathe(&mut mesh, centre, map, &rim, false, ROUND, color);
             }
             PartKind::Ellipsoid => {
                 let profile: Vec<Vec2> = (0..=RINGS)
                     .map(|i| Vec2::from_angle(std::f32::consts::PI * (i as f32 / RINGS as f32 - 0.5)))
                     .collect();
-                mesh::add_lathe(&mut mesh, centre, map, &profile, ROUND, color);
+                let color = |local: Vec3| soft_color_towards(principal_from_part * local, colors);
+                mesh::add_lathe(&mut mesh, centre, map, &profile, true, ROUND, color);
             }
         }
     }
@@ -53,7 +54,8 @@ fn add_marks(context: &Context<'_>, mesh: &mut Mesh) {
     let (Some((centre, map, PartKind::Box, body_from_part)), None) = (parts.next(), parts.next()) else { return };
     let half = Vec3::new(map.x_axis.length(), map.y_axis.length(), map.z_axis.length());
     let thin = half.min_position();
-    let middle = (principal_from_body * body_from_part).transpose().y_axis;
+    let principal_from_part = principal_from_body * body_from_part;
+    let middle = principal_from_part.transpose().y_axis;
     let along = middle.abs().max_position();
     if along == thin {
         return;
@@ -68,9 +70,11 @@ fn add_marks(context: &Context<'_>, mesh: &mut Mesh) {
         let normal = (map.col(thin) * sign).normalize_or_zero();
         let base = mesh.vertices.len() as u32;
         let corners = [direction * 0.52, across * 0.45 - direction * 0.3, across * -0.45 - direction * 0.3];
-        let color = context.palette.face_mark;
+        // Light on the dark face and dark on the light one: the two sides are told apart by it too.
+        let color = color_towards(principal_from_part * Vec3::AXES[thin] * -sign, context.palette.faces);
         mesh.vertices.extend(corners.map(|corner| Vertex { position: face + corner, normal, color }));
-        mesh.indices.extend([base, base + 1, base + 2]);
+        let outward = (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(normal) > 0.0;
+        mesh.indices.extend(if outward { [base, base + 1, base + 2] } else { [base, base + 2, base + 1] });
     }
 }
 
@@ -102,6 +106,17 @@ pub(super) fn placed_parts<'a>(
         let map = world_from_body * body_from_part * Mat3::from_diagonal(half);
         (world_from_body * single(part.centre * scale), map, part.kind, body_from_part)
     })
+}
+
+/// The colour of a place on a round surface: as of a face that looks that way, the borders softened over a few corners of the
+/// mesh, which does not follow them.
+fn soft_color_towards(normal: Vec3, colors: [[Color; 3]; 2]) -> Color {
+    let normal = normal.normalize_or_zero();
+    let weights = Vec3::from_array(normal.to_array().map(|n| n.abs().powi(24)));
+    let weights = weights / weights.element_sum().max(f32::MIN_POSITIVE);
+    let of = |axis: usize| colors[usize::from(normal[axis] < 0.0)][axis];
+    let first = of(0).mix(of(1), weights.y / (weights.x + weights.y).max(f32::MIN_POSITIVE));
+    first.mix(of(2), weights.z)
 }
 
 /// The colour of a face by the principal axis that it looks along most.

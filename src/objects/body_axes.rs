@@ -19,7 +19,7 @@ pub(super) fn axes(context: &Context<'_>, view: &mut View) {
         view.lines.push(Line::new([-end, end], 2.6, color).through(0.35));
         let toward = Vec2::new(end.dot(right), end.dot(up));
         let text = ["1", "2", "3"][number].to_owned();
-        view.labels.push(Label { anchor: end, toward, gap: 5.0, text, size: 22.0, color, priority: 4 });
+        view.labels.push(Label { anchor: end, toward, gap: 5.0, text, size: 22.0, color, priority: 4, moves: true });
     }
 }
 

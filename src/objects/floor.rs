@@ -59,7 +59,16 @@ pub(super) fn plane(context: &Context<'_>, view: &mut View) {
     let near = Vec2::new(right.x - forward.x, right.y - forward.y).normalize_or(Vec2::X) * PLANE_RADIUS;
     let (anchor, toward) = (centre + near.extend(0.0), Vec2::new(0.4, -1.0));
     let text = "invariable plane".to_owned();
-    view.labels.push(Label { anchor, toward, gap: 5.0, text, size: 19.0, color: ink.alpha(0.8), priority: 1 });
+    view.labels.push(Label {
+        anchor,
+        toward,
+        gap: 5.0,
+        text,
+        size: 19.0,
+        color: ink.alpha(0.8),
+        priority: 1,
+        moves: false,
+    });
 }
 
 /// Poinsot's ellipsoid ½ ω·Iω = K, semi-axes √(2K/Iᵢ): it rolls on the plane without slipping.
@@ -82,7 +91,7 @@ pub(super) fn rolling_ellipsoid(context: &Context<'_>, view: &mut View) {
     let position = -context.world_angular_velocity(state.world_angular_velocity(body));
     let rim = context.palette.background;
     let color = context.palette.omega;
-    view.points.push(Point { position, size: 15.0, mark: Mark::Disc, color, rim, hidden: 0.6 });
+    view.points.push(Point { position, size: 15.0, mark: Mark::Disc, color, rim, hidden: 0.6, moves: true });
 }
 
 /// The path of the contact point on the plane, before and after now.

@@ -1,9 +1,7 @@
 //! The same start under other methods, beside the scene's own: each method has its colour, line and mark.
 
-use glam::Vec2;
-
 use super::{Context, body};
-use crate::frame::{Color, Dash, Label, Line, Mark, Point, Solid, View};
+use crate::frame::{Color, Dash, Line, Mark, Point, Solid, View};
 use crate::physics::{METHODS, Method, poinsot};
 use crate::scene::Theme;
 
@@ -22,7 +20,18 @@ const COLORS: [u32; 9] = [
 /// Opacity of a ghost's faces, reached where it lies this far from the body.
 const OPACITY: f32 = 0.17;
 const APART: f32 = 0.2;
-const MARKS: [Mark; 5] = [Mark::Square, Mark::Triangle, Mark::Diamond, Mark::Ring, Mark::Disc];
+/// Marks by the place of a method in the table: none is the disc of the scene's own M.
+const MARKS: [Mark; 9] = [
+    Mark::Square,
+    Mark::TriangleDown,
+    Mark::Diamond,
+    Mark::Ring,
+    Mark::Triangle,
+    Mark::OpenDiamond,
+    Mark::OpenSquare,
+    Mark::Star,
+    Mark::OpenTriangle,
+];
 
 /// How a method is drawn wherever it is a ghost.
 #[must_use]
@@ -38,8 +47,14 @@ fn place(method: &Method) -> usize {
     METHODS.iter().position(|known| known.name == method.name).unwrap_or(0)
 }
 
-fn dash(method: &Method) -> Dash {
-    [Dash::Solid, Dash::Dashed(0.06), Dash::Dotted(0.035), Dash::Dashed(0.12)][place(method) % 4]
+/// The pattern of its lines, lengths times this.
+pub(super) fn dash(method: &Method, scale: f32) -> Dash {
+    [Dash::Solid, Dash::Dashed(0.06 * scale), Dash::Dotted(0.035 * scale), Dash::Dashed(0.12 * scale)]
+        [place(method) % 4]
+}
+
+pub(super) fn mark(method: &Method) -> Mark {
+    MARKS[place(method) % MARKS.len()]
 }
 
 /// Translucent bodies.
@@ -61,7 +76,7 @@ pub(super) fn bodies(context: &Context<'_>, view: &mut View) {
             let before = view.lines.len();
             body::edges(context, state, view, color, 2.2);
             for line in &mut view.lines[before..] {
-                line.dash = dash(ghost.method());
+                line.dash = dash(ghost.method(), 1.0);
                 line.hidden = 0.5 * apart;
             }
         }
@@ -81,12 +96,8 @@ pub(super) fn marks(context: &Context<'_>, view: &mut View) {
         }
         let curve = poinsot::polhode(body, momentum, super::polhode::POINTS);
         let points = curve.into_iter().map(|m| context.body_momentum(m));
-        view.lines.push(Line::new(points, 2.0, color.fade(0.8)).dashed(dash(method)).through(0.3));
-        let mark = MARKS[place(method) % MARKS.len()];
+        view.lines.push(Line::new(points, 2.0, color.fade(0.8)).dashed(dash(method, 1.0)).through(0.3));
         let rim = context.palette.background;
-        view.points.push(Point { position, size: 16.0, mark, color, rim, hidden: 0.7 });
-        let text = method.label.split(',').next().unwrap_or_default().to_owned();
-        let toward = Vec2::new(1.0, -0.4);
-        view.labels.push(Label { anchor: position, toward, gap: 12.0, text, size: 18.0, color, priority: 6 });
+        view.points.push(Point { position, size: 16.0, mark: mark(method), color, rim, hidden: 0.7, moves: true });
     }
 }

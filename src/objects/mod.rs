@@ -13,6 +13,7 @@ mod ghosts;
 mod layout;
 mod level_sets;
 mod mesh;
+mod notes;
 mod polhode;
 mod separatrix;
 mod surfaces;
@@ -68,6 +69,7 @@ pub static OBJECTS: &[Object] = &[
     object("ghosts", "Bodies of the other methods", Space::World, true, ghosts::bodies),
     object("momentum", "Angular momentum L", Space::World, true, vectors::momentum),
     object("omega", "Angular velocity ω", Space::World, true, vectors::angular_velocity),
+    object("world-notes", "Words under the world", Space::World, true, notes::world),
     object("sphere", "Sphere |M| = ℓ", Space::Body, true, surfaces::sphere),
     object("ellipsoid", "Energy ellipsoid", Space::Body, true, surfaces::ellipsoid),
     object("axes", "Principal axes", Space::Body, true, axes::axes),
@@ -78,6 +80,7 @@ pub static OBJECTS: &[Object] = &[
     object("ghost-marks", "M of the other methods", Space::Body, true, ghosts::marks),
     object("tail", "Tail of M", Space::Body, true, tip::tail),
     object("tip", "Tip of M", Space::Body, true, tip::tip),
+    object("body-notes", "Words under the momentum sphere", Space::Body, true, notes::body),
 ];
 
 /// Looks an object up by its name.
@@ -129,6 +132,7 @@ pub fn build_frame(simulation: &Simulation, settings: &scene::View, cameras: &Ca
             }
             if !settings.labels {
                 view.labels.clear();
+                view.notes.clear();
             }
             view
         })

@@ -24,7 +24,7 @@ pub(super) fn draw(context: &Context<'_>, view: &mut View) {
     if let Some(&anchor) = points.iter().filter(|_| is_line).max_by(|a, b| fitness(**a).total_cmp(&fitness(**b))) {
         let (text, color) = ("polhode".to_owned(), context.palette.polhode);
         let toward = Vec2::new(1.0, 0.4);
-        view.labels.push(Label { anchor, toward, gap: 12.0, text, size: 19.0, color, priority: 4 });
+        view.labels.push(Label { anchor, toward, gap: 12.0, text, size: 19.0, color, priority: 4, moves: false });
     }
     view.lines.push(Line::new(simplified(&points, TOLERANCE), 4.5, context.palette.polhode).through(0.4));
 }

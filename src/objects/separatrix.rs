@@ -38,6 +38,7 @@ pub(super) fn draw(context: &Context<'_>, view: &mut View) {
             size: 19.0,
             color,
             priority: 3,
+            moves: false,
         });
     }
 }

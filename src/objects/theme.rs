@@ -19,8 +19,6 @@ pub struct Palette {
     pub axes: [Color; 3],
     /// The faces of the body towards +1, +2, +3 and −1, −2, −3.
     pub faces: [[Color; 3]; 2],
-    /// The triangle on the body's largest faces.
-    pub face_mark: Color,
     /// The momentum sphere.
     pub sphere: Color,
     /// The energy ellipsoid.
@@ -49,7 +47,6 @@ impl Palette {
                     [hex(0x0074_bfe8), hex(0x00ee_ac57), hex(0x007f_cfb4)],
                     [hex(0x0033_7fb3), hex(0x00a8_5a1c), hex(0x0030_8069)],
                 ],
-                face_mark: hex(0x00f4_f6f7),
                 sphere: hex(0x0096_b4f0).alpha(0.11),
                 ellipsoid: hex(0x00f0_8f6a).alpha(0.15),
                 polhode: hex(0x00ff_f3a0),
@@ -66,7 +63,6 @@ impl Palette {
                     [hex(0x0086_cbf0), hex(0x00f4_b766), hex(0x0093_d8c0)],
                     [hex(0x0045_8fc0), hex(0x00b9_6720), hex(0x003a_8f78)],
                 ],
-                face_mark: hex(0x00ff_ffff),
                 sphere: hex(0x005f_86c8).alpha(0.09),
                 ellipsoid: hex(0x00dd_6a48).alpha(0.11),
                 polhode: hex(0x0020_242a),

@@ -13,7 +13,14 @@ const LONGEST: f32 = 1.7;
 /// L of the state now: it moves only under the methods that do not keep it.
 pub(super) fn momentum(context: &Context<'_>, view: &mut View) {
     let arrow = context.world_momentum(context.simulation.state().world_momentum);
-    add(view, (arrow * MOMENTUM_ARROW).clamp_length_max(LONGEST), "L", context.palette.momentum, Vec2::new(-1.0, 0.3));
+    add(
+        view,
+        (arrow * MOMENTUM_ARROW).clamp_length_max(LONGEST),
+        "L",
+        context.palette.momentum,
+        Vec2::new(-1.0, 0.3),
+        false,
+    );
 }
 
 /// ω of the state now.
@@ -21,13 +28,13 @@ pub(super) fn angular_velocity(context: &Context<'_>, view: &mut View) {
     let simulation = context.simulation;
     let omega = simulation.state().world_angular_velocity(simulation.body());
     let arrow = context.world_angular_velocity(omega).clamp_length_max(LONGEST);
-    add(view, arrow, "ω", context.palette.omega, Vec2::new(1.0, 0.3));
+    add(view, arrow, "ω", context.palette.omega, Vec2::new(1.0, 0.3), true);
 }
 
-fn add(view: &mut View, to: Vec3, name: &str, color: Color, toward: Vec2) {
+fn add(view: &mut View, to: Vec3, name: &str, color: Color, toward: Vec2, moves: bool) {
     arrow::add(view, Vec3::ZERO, to, color);
     if to.length() > 1e-3 {
         let text = name.to_owned();
-        view.labels.push(Label { anchor: to, toward, gap: 10.0, text, size: 26.0, color, priority: 10 });
+        view.labels.push(Label { anchor: to, toward, gap: 10.0, text, size: 26.0, color, priority: 10, moves });
     }
 }

@@ -12,10 +12,10 @@ const CLEARANCE: f32 = 5.0;
 const MARK_COST: f32 = 1.5;
 
 /// A rectangle in pixels of the view, y down.
-#[derive(Clone, Copy)]
-struct Box2 {
-    low: Vec2,
-    high: Vec2,
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Box2 {
+    pub(super) low: Vec2,
+    pub(super) high: Vec2,
 }
 
 impl Box2 {
@@ -28,12 +28,13 @@ impl Box2 {
     }
 }
 
-/// Places the labels, given each one's width and height in pixels: the top left corners, none for a label that is
+/// Places the labels, given each one's width and height in pixels and what else stands in the view: the top left corners, none for a label that is
 /// out of sight or finds no room.
 pub(super) fn place(
     view: &View,
     uniform: &ViewUniform,
     extents: &[Vec2],
+    notes: &[Box2],
     pixels: Vec2,
     point: f32,
 ) -> Vec<Option<Vec2>> {
@@ -42,19 +43,21 @@ pub(super) fn place(
         let ndc = Vec2::new(clip.x, clip.y) / clip.w;
         (clip.w > NEAR && ndc.abs().max_element() <= 1.0).then(|| (ndc * Vec2::new(0.5, -0.5) + 0.5) * pixels)
     };
-    let marks = view.points.iter().map(|mark| (mark.position, 0.5 * mark.size));
+    let marks = view.points.iter().map(|mark| (mark.position, 0.5 * mark.size, mark.moves));
     // Straight strokes, as axes are, count by some places along them.
     let strokes = view.lines.iter().filter(|line| line.points.len() == 2).flat_map(|line| {
         let [from, to] = [line.points[0].position, line.points[1].position];
-        [0.1, 0.35, 0.6, 0.85].map(|part| (from.lerp(to, part), line.width))
+        [0.1, 0.35, 0.6, 0.85].map(|part| (from.lerp(to, part), line.width, false))
     });
-    let marks: Vec<Box2> = marks
+    let marks: Vec<(Box2, bool)> = marks
         .chain(strokes)
-        .filter_map(|(position, half)| Some(Box2::around(project(position)?, Vec2::splat(half * point))))
+        .filter_map(|(position, half, moves)| {
+            Some((Box2::around(project(position)?, Vec2::splat(half * point)), moves))
+        })
         .collect();
     let mut order: Vec<usize> = (0..view.labels.len().min(extents.len())).collect();
-    order.sort_by_key(|&number| std::cmp::Reverse(view.labels[number].priority));
-    let mut taken: Vec<Box2> = vec![];
+    order.sort_by_key(|&number| (view.labels[number].moves, std::cmp::Reverse(view.labels[number].priority)));
+    let mut taken: Vec<Box2> = notes.to_vec();
     let mut places = vec![None; view.labels.len()];
     for number in order {
         let label = &view.labels[number];
@@ -70,7 +73,8 @@ pub(super) fn place(
                 if taken.iter().any(|other| own.meets(other)) {
                     return None;
                 }
-                let covered = marks.iter().filter(|mark| own.meets(mark)).count() as f32;
+                let heeded = marks.iter().filter(|(_, moves)| label.moves || !moves);
+                let covered = heeded.filter(|(mark, _)| own.meets(mark)).count() as f32;
                 let pushed = inside.distance(centre) / (20.0 * point);
                 Some((inside, cost + pushed + MARK_COST * covered))
             })

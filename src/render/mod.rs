@@ -7,6 +7,7 @@ mod labels;
 #[cfg(test)]
 mod layout_test;
 mod line;
+mod notes;
 mod pipeline;
 mod point;
 mod quadrics;

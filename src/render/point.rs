@@ -6,7 +6,7 @@ use bytemuck::{Pod, Zeroable};
 
 use super::buffer::QuadBuffer;
 use super::pipeline::{PipelineMaker, Recipe};
-use crate::frame::{Frame, Mark};
+use crate::frame::Frame;
 
 /// `Mark` of shaders/point.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -60,21 +60,11 @@ impl Points {
         self.views.clear();
         for view in &frame.views {
             let start = marks.len() as u32;
-            marks.extend(view.points.iter().map(|point| {
-                let form = match point.mark {
-                    Mark::Disc => 0.0,
-                    Mark::Ring => 1.0,
-                    Mark::Diamond => 2.0,
-                    Mark::Cross => 3.0,
-                    Mark::Square => 4.0,
-                    Mark::Triangle => 5.0,
-                };
-                MarkData {
-                    position: point.position.to_array(),
-                    style: [point.size, point.hidden, form],
-                    color: point.color.0,
-                    rim: point.rim.0,
-                }
+            marks.extend(view.points.iter().map(|point| MarkData {
+                position: point.position.to_array(),
+                style: [point.size, point.hidden, f32::from(point.mark as u8)],
+                color: point.color.0,
+                rim: point.rim.0,
             }));
             self.views.push(start..marks.len() as u32);
         }

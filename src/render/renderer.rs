@@ -5,6 +5,7 @@ use glam::Vec2;
 use super::buffer::UniformBuffer;
 use super::gpu::Gpu;
 use super::line::Lines;
+use super::notes;
 use super::pipeline::PipelineMaker;
 use super::point::Points;
 use super::quadrics::Quadrics;
@@ -61,6 +62,7 @@ impl Renderer {
             .iter()
             .map(|view| ViewUniform::new(view, (view.area.extent * picture).max(Vec2::ONE), point))
             .collect();
+        let frame = &*notes::with_samples(frame, &uniforms, picture, point);
         self.views.write(device, queue, &uniforms);
         self.solids.upload(device, queue, frame);
         self.quadrics.upload(device, queue, frame, &uniforms);

@@ -7,11 +7,12 @@ use glam::Vec2;
 
 use super::buffer::QuadBuffer;
 use super::glyphs::{Glyphs, TextLine};
-use super::labels;
+use super::labels::{self, Box2};
+use super::notes;
 use super::pipeline::{PipelineMaker, Recipe};
 use super::targets::extent;
 use super::view::ViewUniform;
-use crate::frame::{Color, Frame};
+use crate::frame::{Color, Frame, View};
 
 /// Radius of the halo (points).
 const HALO: f32 = 2.4;
@@ -112,13 +113,17 @@ impl Texts {
             let lines: Vec<TextLine> =
                 view.labels.iter().map(|label| self.glyphs.lay_out(&label.text, label.size * point)).collect();
             let extents: Vec<Vec2> = lines.iter().map(|line| Vec2::from_array(line.extent)).collect();
-            let places = labels::place(view, uniform, &extents, view.area.extent * picture, point);
+            let pixels = view.area.extent * picture;
+            let notes = self.lay_out_notes(view, pixels, point);
+            let taken: Vec<Box2> = notes.iter().map(|(line, low, _)| box_of(line, *low)).collect();
+            let places = labels::place(view, uniform, &extents, &taken, pixels, point);
+            let placed = view.labels.iter().zip(&lines).zip(&places);
+            let placed = placed.filter_map(|((label, line), place)| Some((line, (*place)?, label.color)));
+            let texts: Vec<_> = placed.chain(notes.iter().map(|(line, low, color)| (line, *low, *color))).collect();
             for (radius, ink) in [(HALO * point, false), (0.0, true)] {
-                for ((label, line), place) in view.labels.iter().zip(&lines).zip(&places) {
-                    if let Some(place) = place {
-                        let color = if ink { label.color } else { halo.fade(label.color.0[3]) };
-                        append(line, *place, radius, color, &mut instances);
-                    }
+                for &(line, place, own) in &texts {
+                    let color = if ink { own } else { halo.fade(own.0[3]) };
+                    append(line, place, radius, color, &mut instances);
                 }
             }
             self.views.push(start..instances.len() as u32);
@@ -131,6 +136,17 @@ impl Texts {
         }
     }
 
+    /// The notes of a view: laid out, their top left corners, their colours.
+    fn lay_out_notes(&mut self, view: &View, pixels: Vec2, point: f32) -> Vec<(TextLine, Vec2, Color)> {
+        let rows = notes::rows(view, pixels, point).into_iter().zip(&view.notes);
+        rows.map(|(row, note)| {
+            let line = self.glyphs.lay_out(&note.text, note.size * point);
+            let low = (row - Vec2::new(0.0, 0.5 * line.extent[1])).round();
+            (line, low, note.color)
+        })
+        .collect()
+    }
+
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
         let Some(range) = self.views.get(view).filter(|range| !range.is_empty()) else { return };
         if !self.instances.bind(pass) {
@@ -140,6 +156,11 @@ impl Texts {
         pass.set_bind_group(1, &self.group, &[]);
         QuadBuffer::draw(pass, range.clone());
     }
+}
+
+/// The part of the view that a note takes, its sample too.
+fn box_of(line: &TextLine, low: Vec2) -> Box2 {
+    Box2 { low: Vec2::new(0.0, low.y), high: low + Vec2::from_array(line.extent) }
 }
 
 fn append(line: &TextLine, place: Vec2, halo: f32, color: Color, instances: &mut Vec<GlyphData>) {

@@ -1,10 +1,14 @@
 //! Fonts, sizes and colours of the panels: calm, and legible from the last row.
 
+use std::sync::Arc;
+
 use egui::{
-    Color32, Context, CornerRadius, FontDefinitions, FontFamily, FontId, Margin, Stroke, TextStyle, Visuals, vec2,
+    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Stroke, TextStyle, Visuals,
+    vec2,
 };
 
 use crate::scene;
+use crate::typeface;
 
 /// Width of the panel (points).
 pub const PANEL_WIDTH: f32 = 316.0;
@@ -12,11 +16,13 @@ pub const PANEL_WIDTH: f32 = 316.0;
 /// Sets fonts and sizes; once, at the start.
 pub fn install(ctx: &Context) {
     let mut fonts = FontDefinitions::default();
+    fonts.font_data.insert("Sans".to_owned(), Arc::new(FontData::from_static(typeface::SANS)));
     // The proportional font has no arrows; the bundled monospaced one has.
-    if let Some(family) = fonts.families.get_mut(&FontFamily::Proportional)
-        && !family.iter().any(|name| name == "Hack")
-    {
-        family.push("Hack".to_owned());
+    if let Some(family) = fonts.families.get_mut(&FontFamily::Proportional) {
+        family.insert(0, "Sans".to_owned());
+        if !family.iter().any(|name| name == "Hack") {
+            family.push("Hack".to_owned());
+        }
     }
     ctx.set_fonts(fonts);
     // The keys for the size of text are in the table of keys.

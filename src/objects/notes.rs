@@ -1,0 +1,48 @@
+//! The words under a view: from where it is seen, and which method is drawn how.
+
+use super::{Context, ghosts, is_shown, object_named};
+use crate::frame::{Dash, Mark, Note, Sample, View};
+use crate::physics::Method;
+use crate::scene::Layout;
+
+const SIZE: f32 = 19.0;
+
+/// Under the world.
+pub(super) fn world(context: &Context<'_>, view: &mut View) {
+    legend(context, view);
+    caption(context, view, "seen from the room: L stays");
+}
+
+/// Under momentum space.
+pub(super) fn body(context: &Context<'_>, view: &mut View) {
+    if context.settings.layout == Layout::Body {
+        legend(context, view);
+    }
+    let axes = object_named("axes").is_some_and(|object| is_shown(object, context.settings));
+    let unit = if axes { " (I in kg m²)" } else { "" };
+    caption(context, view, &format!("seen from the body: L moves, called M{unit}"));
+}
+
+fn caption(context: &Context<'_>, view: &mut View, text: &str) {
+    let color = context.palette.ink.alpha(0.85);
+    view.notes.push(Note { text: text.to_owned(), size: SIZE, color, sample: None });
+}
+
+/// A row a method, the scene's own first.
+fn legend(context: &Context<'_>, view: &mut View) {
+    let simulation = context.simulation;
+    if simulation.ghosts().is_empty() {
+        return;
+    }
+    let rim = context.palette.background;
+    let name = |method: &Method| method.label.split(',').next().unwrap_or_default().to_owned();
+    let own = Sample { dash: Dash::Solid, mark: Mark::Disc, color: context.palette.momentum, rim };
+    let text = format!("{} (the body)", name(simulation.main().method()));
+    view.notes.push(Note { text, size: SIZE, color: context.palette.momentum, sample: Some(own) });
+    for ghost in simulation.ghosts() {
+        let method = ghost.method();
+        let color = ghosts::method_color(method, context.settings.theme);
+        let sample = Sample { dash: ghosts::dash(method, 140.0), mark: ghosts::mark(method), color, rim };
+        view.notes.push(Note { text: name(method), size: SIZE, color, sample: Some(sample) });
+    }
+}
