@@ -70,7 +70,9 @@ impl Charts {
                 |mark, _| if mark.value.fract() == 0.0 { power_of_ten(mark.value) } else { String::new() },
             )
             .y_grid_spacer(egui_plot::uniform_grid_spacer(|_| [20.0, 10.0, 5.0]))
-            .legend(Legend::default().position(Corner::LeftTop).background_alpha(0.6).text_style(egui::TextStyle::Small))
+            .legend(
+                Legend::default().position(Corner::LeftTop).background_alpha(0.6).text_style(egui::TextStyle::Small),
+            )
             .show(ui, |plot| {
                 for (index, method) in runners.iter().enumerate() {
                     let color = (look.method_color)(method, look.view.theme);
@@ -136,9 +138,7 @@ fn plot<'a>(name: &'static str, look: &Look<'_>) -> Plot<'a> {
         .allow_double_click_reset(false)
         .show_crosshair(false)
         .default_x_bounds(look.timeline.low, look.timeline.high)
-        .x_axis_formatter(|mark, _| {
-            format!("{} s", trimmed(&significant(mark.value, 6)))
-        })
+        .x_axis_formatter(|mark, _| format!("{} s", trimmed(&significant(mark.value, 6))))
         .grid_spacing(egui::Rangef::new(14.0, 120.0))
         .grid_color(Color32::GRAY)
         .y_axis_min_width(38.0)
