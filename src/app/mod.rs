@@ -15,6 +15,7 @@ mod session;
 mod start;
 mod startup;
 mod surface;
+mod trial;
 
 use winit::application::ApplicationHandler;
 use winit::event::WindowEvent;
@@ -33,6 +34,7 @@ use open::OpenWindow;
 use pacing::Pacer;
 use remember::Remembered;
 use session::{Request, Session};
+use trial::{Frame, Trial};
 
 /// How the window is opened.
 #[derive(Clone, Debug)]
@@ -79,13 +81,18 @@ pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> 
         window: None,
         repaint_at: None,
         error: None,
+        recoveries: 0,
+        trial: Trial::from_environment(),
     };
     let outcome = event_loop.run_app(&mut app);
     match app.error.take() {
         Some(error) => Err(error),
-        None => outcome.map_err(|error| WindowError::Display(error.to_string())),
+        None => outcome.map_err(|error| WindowError::DisplayGone(error.to_string())),
     }
 }
+
+/// Devices made anew without a frame between after which it is given up.
+const MOST_RECOVERIES: u32 = 3;
 
 /// What wakes the event loop from outside.
 #[derive(Debug)]
@@ -113,6 +120,9 @@ struct App {
     /// When something is to be drawn although simulated time stands.
     repaint_at: Option<Instant>,
     error: Option<WindowError>,
+    /// Devices made anew since the last frame on the screen.
+    recoveries: u32,
+    trial: Trial,
 }
 
 impl App {
@@ -128,10 +138,19 @@ impl App {
 
     /// The device is gone: everything on it is made anew.
     fn recover(&mut self, event_loop: &ActiveEventLoop) {
-        let Some(window) = &mut self.window else { return };
-        if let Err(error) = window.recover(event_loop, &self.options, &self.proxy) {
-            self.fail(event_loop, error);
+        // A device may tell of its loss more than once.
+        let Some(window) = self.window.take_if(|window| window.is_lost()) else { return };
+        self.recoveries += 1;
+        if self.recoveries > MOST_RECOVERIES {
+            self.fail(event_loop, WindowError::DeviceGone);
             return;
+        }
+        match window.recovered(event_loop, &self.options, &self.proxy) {
+            Ok(window) => self.window = Some(window),
+            Err(error) => {
+                self.fail(event_loop, error);
+                return;
+            }
         }
         self.session.picture_changed = true;
         self.wake();
@@ -143,6 +162,9 @@ impl App {
             return;
         }
         let now = Instant::now();
+        if self.trial.loses_device(now) {
+            window.lose_device();
+        }
         self.pacer.begin(now);
         self.repaint_at = None;
         if self.session.is_playing() {
@@ -153,7 +175,14 @@ impl App {
             self.pacer.stand();
         }
         self.session.drop_old_message(now);
+        let simulation = now.elapsed();
         let drawn = window.draw(event_loop, &mut self.session, &mut self.panels, self.pacer.real_time_factor());
+        if drawn.is_shown {
+            self.recoveries = 0;
+        }
+        let [panels, picture, present] = drawn.spent;
+        let spent = [simulation, panels, picture, present];
+        self.trial.note(Frame { at: now, simulated: self.session.sim.time(), spent });
         self.repaint_at = drawn.repaint_after.and_then(|delay| now.checked_add(delay));
         let has_commands = !drawn.commands.is_empty();
         self.apply(drawn.commands);
@@ -237,14 +266,14 @@ impl ApplicationHandler<Wake> for App {
     }
 
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
+        // Before anything waits: nothing else may come that would wake the loop.
+        if self.window.as_ref().is_some_and(OpenWindow::is_lost) {
+            self.recover(event_loop);
+        }
         let Some(window) = &self.window else { return };
         if !window.is_visible() {
             self.pacer.stand();
             event_loop.set_control_flow(ControlFlow::Wait);
-            return;
-        }
-        if window.is_lost() {
-            self.recover(event_loop);
             return;
         }
         let wanted = if self.session.is_playing() {
@@ -269,6 +298,9 @@ impl ApplicationHandler<Wake> for App {
             window.remember(&mut self.remembered);
             self.session.remember(&mut self.remembered);
             self.remembered.save();
+        }
+        if let Err(why) = self.trial.write() {
+            self.error.get_or_insert(WindowError::Trial(why));
         }
     }
 }

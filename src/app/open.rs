@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use egui_winit::accesskit_winit;
-use web_time::Duration;
+use web_time::{Duration, Instant};
 use winit::dpi::{LogicalSize, PhysicalSize};
 use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
@@ -11,7 +11,7 @@ use winit::window::{Fullscreen, Window};
 
 use super::files;
 use super::remember::Remembered;
-use super::screen::{Painted, Screen};
+use super::screen::{Painted, Presented, Screen};
 use super::session::Session;
 use super::{EncodePng, Wake, WindowError, WindowOptions};
 use crate::objects;
@@ -54,6 +54,10 @@ pub(super) struct Drawn {
     pub(super) commands: Vec<Command>,
     /// When the panels want to be drawn again; never where there is none.
     pub(super) repaint_after: Option<Duration>,
+    /// Whether the frame came onto the screen.
+    pub(super) is_shown: bool,
+    /// How long the panels took, the picture, and presenting both.
+    pub(super) spent: [Duration; 3],
 }
 
 impl OpenWindow {
@@ -87,24 +91,31 @@ impl OpenWindow {
         Ok(Self { screen, egui, window, is_occluded: false, theme: None, title })
     }
 
-    /// Makes everything on the device anew.
-    pub(super) fn recover(
-        &mut self,
+    /// The window with everything on the device made anew.
+    pub(super) fn recovered(
+        self,
         event_loop: &ActiveEventLoop,
         options: &WindowOptions,
         proxy: &EventLoopProxy<Wake>,
-    ) -> Result<(), WindowError> {
-        self.screen = open_screen(&self.window, event_loop, options, proxy)?;
+    ) -> Result<Self, WindowError> {
+        let Self { screen, mut egui, window, is_occluded, title, .. } = self;
+        // A window holds one surface at a time.
+        drop(screen);
+        let screen = open_screen(&window, event_loop, options, proxy)?;
         // The panels' textures are gone with the device: a new context sends them again.
         let context = egui::Context::default();
         style::install(&context);
-        let scale = self.window.scale_factor() as f32;
-        let side = Some(self.screen.gpu().largest_side() as usize);
-        let access = self.egui.accesskit.take();
-        self.egui = egui_winit::State::new(context, egui::ViewportId::ROOT, &*self.window, Some(scale), None, side);
-        self.egui.accesskit = access;
-        self.theme = None;
-        Ok(())
+        let scale = window.scale_factor() as f32;
+        let side = Some(screen.gpu().largest_side() as usize);
+        let access = egui.accesskit.take();
+        egui = egui_winit::State::new(context, egui::ViewportId::ROOT, &*window, Some(scale), None, side);
+        egui.accesskit = access;
+        Ok(Self { screen, egui, window, is_occluded, theme: None, title })
+    }
+
+    /// Takes the device away, as a driver might.
+    pub(super) fn lose_device(&self) {
+        self.screen.lose();
     }
 
     pub(super) fn is_lost(&self) -> bool {
@@ -176,6 +187,7 @@ impl OpenWindow {
             self.window.set_title(&title);
             self.title = title;
         }
+        let began = Instant::now();
         self.scale_text(&context, session.text_size);
         let fullscreen = self.window.fullscreen().is_some();
         let mut input = self.egui.take_egui_input(&self.window);
@@ -195,15 +207,22 @@ impl OpenWindow {
             .map(|viewport| viewport.repaint_delay)
             .filter(|delay| *delay < LONG);
 
+        let panels_done = Instant::now();
         let corner = self.draw_picture(session, picture, output.pixels_per_point);
+        let picture_done = Instant::now();
         let painted = Painted {
             primitives: context.tessellate(output.shapes, output.pixels_per_point),
             textures: output.textures_delta,
             pixels_per_point: output.pixels_per_point,
             background: context.global_style().visuals.panel_fill,
         };
-        let is_done = self.screen.present(&self.window, painted, corner);
-        Drawn { commands, repaint_after: if is_done { repaint_after } else { Some(Duration::ZERO) } }
+        let presented = self.screen.present(&self.window, painted, corner);
+        Drawn {
+            commands,
+            repaint_after: if presented == Presented::Again { Some(Duration::ZERO) } else { repaint_after },
+            is_shown: presented == Presented::Shown,
+            spent: [panels_done - began, picture_done - panels_done, picture_done.elapsed()],
+        }
     }
 
     /// The panels grow with the window, as what is projected does: legible from the last row at any resolution.

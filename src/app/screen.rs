@@ -22,6 +22,19 @@ pub(super) struct Screen {
     gpu: Gpu,
     instance: wgpu::Instance,
     is_lost: Arc<AtomicBool>,
+    /// The device was taken away on trial.
+    is_trial: Arc<AtomicBool>,
+}
+
+/// What came of presenting a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Presented {
+    /// It is on the screen.
+    Shown,
+    /// There was nothing to draw to.
+    Skipped,
+    /// It should be tried again at once.
+    Again,
 }
 
 /// What the panels came to, ready for drawing.
@@ -51,10 +64,11 @@ impl Screen {
             instance.create_surface(Arc::clone(window)).map_err(|error| WindowError::Display(error.to_string()))?;
         let gpu = Gpu::for_surface(&instance, &surface, adapter)?;
         let is_lost = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&is_lost);
+        let is_trial = Arc::new(AtomicBool::new(false));
+        let (flag, trial) = (Arc::clone(&is_lost), Arc::clone(&is_trial));
         gpu.device.set_device_lost_callback(move |reason, _| {
             // Dropping the device on purpose comes here too.
-            if reason != wgpu::DeviceLostReason::Destroyed {
+            if reason != wgpu::DeviceLostReason::Destroyed || trial.load(Ordering::Relaxed) {
                 flag.store(true, Ordering::Relaxed);
                 on_lost();
             }
@@ -63,12 +77,18 @@ impl Screen {
         let compose = Compose::new(&gpu, surface.format());
         let panels = egui_wgpu::Renderer::new(&gpu.device, surface.format(), egui_wgpu::RendererOptions::default());
         let renderer = Renderer::new(&gpu);
-        Ok(Self { surface, compose, panels, renderer, gpu, instance, is_lost })
+        Ok(Self { surface, compose, panels, renderer, gpu, instance, is_lost, is_trial })
     }
 
     /// Whether the device is gone and everything on it.
     pub(super) fn is_lost(&self) -> bool {
         self.is_lost.load(Ordering::Relaxed)
+    }
+
+    /// Takes the device away; all that follows is as with a driver that gave up.
+    pub(super) fn lose(&self) {
+        self.is_trial.store(true, Ordering::Relaxed);
+        self.gpu.device.destroy();
     }
 
     /// The device.
@@ -105,11 +125,16 @@ impl Screen {
         canvas.read(&self.gpu).map_err(|error| error.to_string())
     }
 
-    /// Draws the picture at its place, the panels on top, and presents. False where it should be tried again soon.
-    pub(super) fn present(&mut self, window: &Arc<Window>, mut painted: Painted, picture_corner: (u32, u32)) -> bool {
+    /// Draws the picture at its place, the panels on top, and presents.
+    pub(super) fn present(
+        &mut self,
+        window: &Arc<Window>,
+        mut painted: Painted,
+        picture_corner: (u32, u32),
+    ) -> Presented {
         // Also where no frame is had: the next pass only tells what changed since.
         upload(&self.gpu, &mut self.panels, &mut painted.textures);
-        let is_done = match self.surface.acquire(&self.instance, &self.gpu, window) {
+        let presented = match self.surface.acquire(&self.instance, &self.gpu, window) {
             Acquired::Frame { texture, is_suboptimal } => {
                 let view = texture.texture.create_view(&wgpu::TextureViewDescriptor::default());
                 let picture = (&self.compose, picture_corner);
@@ -119,15 +144,19 @@ impl Screen {
                 if is_suboptimal {
                     self.surface.configure(&self.gpu);
                 }
-                true
+                Presented::Shown
             }
-            Acquired::Skip => true,
-            Acquired::Again => false,
+            Acquired::Skip => Presented::Skipped,
+            Acquired::Again => Presented::Again,
+            Acquired::Gone => {
+                self.is_lost.store(true, Ordering::Relaxed);
+                Presented::Skipped
+            }
         };
         for id in painted.textures.free.drain() {
             self.panels.free_texture(&id);
         }
-        is_done
+        presented
     }
 }
 

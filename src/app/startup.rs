@@ -26,6 +26,15 @@ pub enum WindowError {
     /// Nothing to draw with.
     #[error(transparent)]
     Gpu(#[from] GpuError),
+    /// The display went away while the window was open.
+    #[error("the display is gone: {0}")]
+    DisplayGone(String),
+    /// What a trial asked for could not be written.
+    #[error("{0}")]
+    Trial(String),
+    /// New devices are lost at once, too.
+    #[error("the graphics device was lost again and again: restart the driver, or choose another one with --adapter")]
+    DeviceGone,
     /// The adapter cannot draw into this window.
     #[error("the adapter {0} cannot draw into this window: choose another one with --adapter")]
     Surface(String),

@@ -12,6 +12,8 @@ use crate::render::Gpu;
 pub(super) struct Surface {
     surface: wgpu::Surface<'static>,
     config: wgpu::SurfaceConfiguration,
+    /// Faults since the last frame that was had.
+    faults: u32,
 }
 
 /// What came of asking for a frame.
@@ -28,7 +30,12 @@ pub(super) enum Acquired {
     Skip,
     /// Nothing yet, but what was wrong has been mended: try again at once.
     Again,
+    /// No frame is to be had from this device any more.
+    Gone,
 }
+
+/// Faults in a row after which mending the surface is given up.
+const MOST_FAULTS: u32 = 5;
 
 impl Surface {
     /// Fits a surface to its window.
@@ -46,7 +53,7 @@ impl Surface {
         config.present_mode = wgpu::PresentMode::AutoVsync;
         config.desired_maximum_frame_latency = 1;
         surface.configure(&gpu.device, &config);
-        Ok(Self { surface, config })
+        Ok(Self { surface, config, faults: 0 })
     }
 
     /// Format of the frames.
@@ -78,7 +85,17 @@ impl Surface {
     /// The next frame.
     pub(super) fn acquire(&mut self, instance: &wgpu::Instance, gpu: &Gpu, window: &Arc<Window>) -> Acquired {
         use wgpu::CurrentSurfaceTexture as Current;
-        match self.surface.get_current_texture() {
+        let current = self.surface.get_current_texture();
+        match current {
+            Current::Success(_) | Current::Suboptimal(_) => self.faults = 0,
+            // A device that is gone shows itself as one of these, again and again.
+            Current::Outdated | Current::Lost | Current::Validation => self.faults += 1,
+            Current::Timeout | Current::Occluded => {}
+        }
+        if self.faults > MOST_FAULTS {
+            return Acquired::Gone;
+        }
+        match current {
             Current::Success(texture) => Acquired::Frame { texture, is_suboptimal: false },
             // To be presented all the same: dropped, it would come back for ever.
             Current::Suboptimal(texture) => Acquired::Frame { texture, is_suboptimal: true },
@@ -93,7 +110,11 @@ impl Surface {
                 }
                 Acquired::Again
             }
-            Current::Timeout | Current::Occluded | Current::Validation => {
+            Current::Validation => {
+                gpu.queue.submit([]);
+                Acquired::Again
+            }
+            Current::Timeout | Current::Occluded => {
                 // Uploads that wait for a submission would pile up.
                 gpu.queue.submit([]);
                 Acquired::Skip

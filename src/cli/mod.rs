@@ -147,6 +147,7 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
 fn window(arguments: &Arguments) -> Result<(), Failure> {
     #[cfg(feature = "window")]
     {
+        quiet_driver::keep_quiet();
         let (scene, slides) = arguments.scene.slides(&arguments.view, arguments.quiet)?;
         picture::check_objects(&scene)?;
         let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;

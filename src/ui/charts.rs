@@ -1,9 +1,10 @@
 //! Two charts below the picture: the angular velocity in the body, and the errors of the methods.
 
-use egui::{Color32, Ui};
+use egui::{Color32, RichText, Ui};
 use egui_plot::{Corner, Legend, Line, LineStyle, Plot, PlotPoints, Points, VLine};
 
-use super::numbers::power_of_ten;
+use super::numbers::{power_of_ten, significant, trimmed};
+use super::timeline::round_step;
 use super::{Command, Look, style};
 use crate::physics::Method;
 use crate::sim::Errors;
@@ -13,6 +14,8 @@ use crate::sim::Runner;
 const POINTS: u32 = 500;
 /// What is drawn for no error at all, on the logarithmic scale.
 const FLOOR: f64 = -17.0;
+/// The components of the angular velocity along the principal axes.
+const NAMES: [&str; 3] = ["Ω₁", "Ω₂", "Ω₃"];
 
 /// Which error the second chart shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -67,6 +70,9 @@ impl Charts {
                 |mark, _| if mark.value.fract() == 0.0 { power_of_ten(mark.value) } else { String::new() },
             )
             .y_grid_spacer(egui_plot::uniform_grid_spacer(|_| [20.0, 10.0, 5.0]))
+            .legend(
+                Legend::default().position(Corner::LeftTop).background_alpha(0.6).text_style(egui::TextStyle::Small),
+            )
             .show(ui, |plot| {
                 for (index, method) in runners.iter().enumerate() {
                     let color = (look.method_color)(method, look.view.theme);
@@ -87,7 +93,10 @@ impl Charts {
 
 fn velocity(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
-        ui.label("Angular velocity in the body (rad/s)");
+        ui.label("Angular velocity in the body");
+        for (name, color) in NAMES.into_iter().zip(look.axis_colors) {
+            ui.label(RichText::new(name).size(17.0).strong().color(color));
+        }
     });
     let is_dark = ui.visuals().dark_mode;
     let principal_from_body = look.sim.body().body_from_principal().transpose();
@@ -100,8 +109,14 @@ fn velocity(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         })
         .collect();
     let now = principal_from_body * look.sim.state().body_momentum / moments;
-    let response = plot("velocity", look).show(ui, |plot| {
-        for (axis, name) in ["Ω₁", "Ω₂", "Ω₃"].into_iter().enumerate() {
+    let unit = |mark: egui_plot::GridMark, _: &_| format!("{} rad/s", trimmed(&significant(mark.value, 4)));
+    let chart = plot("velocity", look).y_axis_min_width(70.0).y_axis_formatter(unit);
+    let chart = chart.y_grid_spacer(egui_plot::uniform_grid_spacer(|grid| {
+        let step = round_step((grid.bounds.1 - grid.bounds.0) / 5.0).unwrap_or(1.0);
+        [10.0 * step, 5.0 * step, step]
+    }));
+    let response = chart.show(ui, |plot| {
+        for (axis, name) in NAMES.into_iter().enumerate() {
             let color = look.axis_colors[axis];
             let points: Vec<[f64; 2]> = curve.iter().map(|(time, omega)| [*time, omega.to_array()[axis]]).collect();
             plot.line(Line::new(name, PlotPoints::from(points)).color(color).width(2.0));
@@ -123,13 +138,10 @@ fn plot<'a>(name: &'static str, look: &Look<'_>) -> Plot<'a> {
         .allow_double_click_reset(false)
         .show_crosshair(false)
         .default_x_bounds(look.timeline.low, look.timeline.high)
-        .x_axis_formatter(|mark, _| {
-            format!("{} s", super::numbers::trimmed(&super::numbers::significant(mark.value, 6)))
-        })
+        .x_axis_formatter(|mark, _| format!("{} s", trimmed(&significant(mark.value, 6))))
         .grid_spacing(egui::Rangef::new(14.0, 120.0))
         .grid_color(Color32::GRAY)
         .y_axis_min_width(38.0)
-        .legend(Legend::default().position(Corner::LeftTop).background_alpha(0.6).text_style(egui::TextStyle::Small))
         .label_formatter(|_| None)
         .set_margin_fraction(egui::vec2(0.0, 0.08))
 }

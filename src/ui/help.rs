@@ -32,9 +32,10 @@ pub(super) fn show(ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             });
             ui.separator();
             ui.label(
-                RichText::new("Drag: orbit    Right or Shift drag: pan    Wheel: zoom    Ctrl + −: size of text")
-                    .weak(),
+                "Mouse: drag to orbit, right or Shift drag to pan, wheel to zoom, click the sphere for a new start.",
             );
+            ui.label("Keyboard alone: F6, then Tab and Shift+Tab from one to the next, arrows to slide,");
+            ui.label("Space or Enter to press or to type a number, Esc to leave.");
         });
     if !open {
         commands.push(Command::ToggleHelp);

@@ -67,7 +67,7 @@ impl Panels {
             self.panel(ui, look, &mut commands);
             let frame = Frame::new().fill(fill).inner_margin(Margin { left: 16, right: 16, top: 6, bottom: 4 });
             let strip = Panel::bottom("transport").frame(frame).show_separator_line(false);
-            strip.exact_size(87.0).show(ui, |ui| transport::show(ui, look, &mut commands));
+            strip.exact_size(92.0).show(ui, |ui| transport::show(ui, look, &mut commands));
         }
         if look.shown.charts {
             let frame = Frame::new().fill(fill).inner_margin(Margin { left: 16, right: 16, top: 6, bottom: 0 });

@@ -1,6 +1,6 @@
 //! What is measured, live: what kind of motion it is, and how far each method strays.
 
-use egui::{Align, Grid, Layout, RichText, Sense, Stroke, StrokeKind, Ui};
+use egui::{Align, Grid, Layout, RichText, Sense, Stroke, Ui};
 
 use super::widgets::{note, section};
 use super::{Look, numbers, style};
@@ -9,6 +9,8 @@ use crate::sim::Errors;
 
 /// Drift that reaches the edge of an invariant's frame (relative).
 const FRAME: f64 = 0.01;
+/// Drift below which nobody would speak of one (relative).
+const STEADY: f64 = 1e-9;
 
 /// What stays the same and what turns.
 pub(super) fn motion(ui: &mut Ui, look: &Look<'_>) {
@@ -19,47 +21,52 @@ pub(super) fn motion(ui: &mut Ui, look: &Look<'_>) {
     let state = look.sim.state();
     let omega = scene.body.body_from_principal().transpose() * state.body_angular_velocity(&scene.body);
     let rate = so3::norm(omega);
-    line(ui, "energy K", &format!("{} J", numbers::significant(state.energy(&scene.body), 4)));
-    line(ui, "momentum |L|", &format!("{} kg m²/s", numbers::significant(so3::norm(state.world_momentum), 4)));
+    let energy = format!("{} J", numbers::significant(state.energy(&scene.body), 4));
+    kept(ui, look, ("energy K", &energy), look.sim.energy_error(), |errors| errors.energy);
+    let momentum = format!("{} kg m²/s", numbers::significant(so3::norm(state.world_momentum), 4));
+    kept(ui, look, ("momentum L", &momentum), look.sim.momentum_error(), |errors| errors.momentum);
     let angle = |along: f64| if rate > 0.0 { (along.abs() / rate).min(1.0).acos().to_degrees() } else { 0.0 };
     let angles = omega.to_array().map(|along| format!("{:.0}°", angle(along)));
     line(ui, "ω from axes 1, 2, 3", &angles.join("  "));
-
-    note(ui, "what stays the same, and its drift");
-    kept(ui, look, "energy K", look.sim.energy_error(), |errors| errors.energy);
-    kept(ui, look, "momentum L", look.sim.momentum_error(), |errors| errors.momentum);
 }
 
-/// An invariant over the time of the scrub bar, drawn so that one per cent is well seen, and how far it has drifted.
-fn kept(ui: &mut Ui, look: &Look<'_>, name: &str, drift: f64, value: fn(&Errors) -> f64) {
+/// An invariant: its value, its course over the time of the scrub bar, and in words whether it stays.
+fn kept(ui: &mut Ui, look: &Look<'_>, (name, value): (&str, &str), drift: f64, of: fn(&Errors) -> f64) {
     ui.horizontal(|ui| {
-        ui.allocate_ui_with_layout(egui::vec2(92.0, 18.0), Layout::left_to_right(Align::Center), |ui| {
-            ui.set_width(92.0);
-            ui.label(RichText::new(name).weak());
-        });
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let width = 70.0;
-            ui.allocate_ui_with_layout(egui::vec2(width, 18.0), Layout::right_to_left(Align::Center), |ui| {
-                ui.set_width(width);
-                ui.label(RichText::new(numbers::scientific_short(drift)).monospace());
-            });
-            let (rect, response) = ui.allocate_exact_size(egui::vec2(ui.available_width(), 18.0), Sense::hover());
-            response.on_hover_text("From the start on; the frame is ±1 %. Behind it: the drift now");
-            let painter = ui.painter().with_clip_rect(rect);
-            let rail = ui.visuals().widgets.inactive.bg_fill;
-            painter.rect_stroke(rect.shrink(0.5), 3.0, Stroke::new(1.0, rail), StrokeKind::Inside);
-            let (low, high) = (look.timeline.low, look.timeline.high);
-            let stroke = Stroke::new(2.0, style::accent(ui.visuals().dark_mode));
-            for piece in look.history.pieces(|sample| sample.errors.first().map(value)) {
-                let points = piece.into_iter().map(|[time, error]| {
-                    let across = ((time - low) / (high - low)) as f32;
-                    let up = (error / FRAME).clamp(-1.0, 1.0) as f32;
-                    egui::pos2(rect.left() + across * rect.width(), rect.center().y - 0.5 * up * (rect.height() - 4.0))
-                });
-                painter.line(points.collect(), stroke);
-            }
-        });
+        ui.label(RichText::new(name));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(RichText::new(value).monospace()));
     });
+    ui.horizontal(|ui| {
+        let (words, is_kept) = stays(drift);
+        let color = if is_kept { style::good(ui.visuals().dark_mode) } else { style::warning(ui.visuals().dark_mode) };
+        ui.label(RichText::new(words).small().color(color));
+        let (rect, response) = ui.allocate_exact_size(egui::vec2(ui.available_width(), 18.0), Sense::hover());
+        response.on_hover_text("Its course over the time of the scrub bar: flat where it stays; the edges are ±1 %");
+        let painter = ui.painter().with_clip_rect(rect);
+        let (low, high) = (look.timeline.low, look.timeline.high);
+        for piece in look.history.pieces(|sample| sample.errors.first().map(of)) {
+            let points = piece.into_iter().map(|[time, error]| {
+                let across = ((time - low) / (high - low)) as f32;
+                let up = (error / FRAME).clamp(-1.0, 1.0) as f32;
+                egui::pos2(rect.left() + across * rect.width(), rect.center().y - 0.5 * up * (rect.height() - 4.0))
+            });
+            painter.line(points.collect(), Stroke::new(2.0, color));
+        }
+    });
+}
+
+/// Whether an invariant with this relative drift stays the same, in words.
+fn stays(drift: f64) -> (String, bool) {
+    let size = drift.abs();
+    if size == 0.0 {
+        ("stays the same, exactly".to_owned(), true)
+    } else if size < STEADY {
+        (format!("stays the same, to {} of it", numbers::scientific_short(size)), true)
+    } else if size < FRAME {
+        (format!("drifts: off by {} of it", numbers::scientific_short(size)), false)
+    } else {
+        (format!("drifts: off by {} %", numbers::significant(drift * 100.0, 3)), false)
+    }
 }
 
 /// How far each method strays.

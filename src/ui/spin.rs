@@ -153,7 +153,7 @@ fn energy(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let color = super::style::warning(ui.visuals().dark_mode);
     ui.painter().vline(x, slider.y_range().shrink(3.0), Stroke::new(2.0, color));
     // Below the tick, kept within the row.
-    let (_, space) = ui.allocate_space(egui::vec2(ui.available_width(), 8.0));
-    let place = egui::pos2(x.clamp(slider.left() + 20.0, slider.right() - 20.0), space.top() - 6.0);
-    ui.painter().text(place, Align2::CENTER_TOP, "separatrix", FontId::proportional(11.0), color);
+    let (_, space) = ui.allocate_space(egui::vec2(ui.available_width(), 10.0));
+    let place = egui::pos2(x.clamp(slider.left() + 26.0, slider.right() - 26.0), space.top() - 7.0);
+    ui.painter().text(place, Align2::CENTER_TOP, "separatrix", FontId::proportional(13.5), color);
 }

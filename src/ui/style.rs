@@ -30,7 +30,7 @@ pub fn install(ctx: &Context) {
     for theme in [egui::Theme::Dark, egui::Theme::Light] {
         ctx.style_mut_of(theme, |style| {
             style.text_styles = [
-                (TextStyle::Small, FontId::new(12.5, FontFamily::Proportional)),
+                (TextStyle::Small, FontId::new(13.5, FontFamily::Proportional)),
                 (TextStyle::Body, FontId::new(15.0, FontFamily::Proportional)),
                 (TextStyle::Button, FontId::new(15.0, FontFamily::Proportional)),
                 (TextStyle::Heading, FontId::new(20.0, FontFamily::Proportional)),
@@ -64,6 +64,12 @@ pub fn accent(is_dark: bool) -> Color32 {
     if is_dark { Color32::from_rgb(0x5b, 0x9d, 0xf0) } else { Color32::from_rgb(0x1f, 0x62, 0xc4) }
 }
 
+/// Colour of what is as it should be.
+#[must_use]
+pub fn good(is_dark: bool) -> Color32 {
+    if is_dark { Color32::from_rgb(0x7b, 0xd1, 0x9f) } else { Color32::from_rgb(0x0b, 0x6b, 0x3f) }
+}
+
 /// Colour of a warning.
 #[must_use]
 pub fn warning(is_dark: bool) -> Color32 {
@@ -82,7 +88,7 @@ fn visuals(theme: egui::Theme) -> Visuals {
             Color32::from_rgb(0x32, 0x39, 0x45),
             Color32::from_rgb(0x2c, 0x31, 0x3a),
             Color32::from_rgb(0xec, 0xee, 0xf2),
-            Color32::from_rgb(0xa4, 0xab, 0xb8),
+            Color32::from_rgb(0xc2, 0xc8, 0xd2),
         )
     } else {
         (
@@ -92,7 +98,7 @@ fn visuals(theme: egui::Theme) -> Visuals {
             Color32::from_rgb(0xd9, 0xde, 0xe6),
             Color32::from_rgb(0xd8, 0xdc, 0xe2),
             Color32::from_rgb(0x17, 0x1a, 0x20),
-            Color32::from_rgb(0x56, 0x5d, 0x69),
+            Color32::from_rgb(0x40, 0x47, 0x52),
         )
     };
     let accent = accent(is_dark);

@@ -50,7 +50,7 @@ impl Timeline {
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let Timeline { low, high, .. } = *look.timeline;
     let time = look.sim.time();
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 25.0), Sense::click_and_drag());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 30.0), Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::slider(true, time, "time (s)"));
     let track = rect.shrink2(vec2(6.0, 0.0));
     let at = |t: f64| track.left() + ((t - low) / (high - low)) as f32 * track.width();
@@ -72,7 +72,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             pos2(at(mark), rect.bottom() + 1.0),
             Align2::CENTER_BOTTOM,
             text,
-            FontId::proportional(10.5),
+            FontId::proportional(13.5),
             soft,
         );
     }
@@ -104,13 +104,17 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
 
 /// Round times for about `count` marks.
 fn marks(low: f64, high: f64, count: f64) -> Vec<f64> {
-    let rough = (high - low) / count.max(1.0);
-    let power = 10f64.powf(rough.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0].map(|factor| factor * power).into_iter().find(|step| *step >= rough);
-    let Some(step) = step.filter(|step| step.is_normal()) else { return Vec::new() };
+    let Some(step) = round_step((high - low) / count.max(1.0)) else { return Vec::new() };
     let from = (low / step).ceil();
     let count = ((high / step).floor() - from + 1.0).clamp(0.0, 100.0);
     (0..count as u32).map(|index| (from + f64::from(index)) * step).collect()
+}
+
+/// The next of 1, 2, 5, 10, … from here on; none where there is no such number.
+pub(super) fn round_step(rough: f64) -> Option<f64> {
+    let power = 10f64.powf(rough.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0].map(|factor| factor * power).into_iter().find(|step| *step >= rough);
+    step.filter(|step| step.is_normal())
 }
 
 #[cfg(test)]

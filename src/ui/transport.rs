@@ -4,7 +4,7 @@ use egui::{Align, Layout, RichText, Slider, Ui};
 
 use super::icons::{Icon, icon_button};
 use super::keys::keys_of;
-use super::{Command, Look, numbers, timeline};
+use super::{Command, Look, Timeline, numbers, style, timeline};
 use crate::physics::MotionClass;
 use crate::physics::poinsot;
 
@@ -13,7 +13,9 @@ pub const SPEED_POWERS: (i32, i32) = (-6, 3);
 
 /// Room that the speed takes, and the words about flips (points).
 const SPEED_WIDTH: f32 = 225.0;
-const FLIPS_WIDTH: f32 = 190.0;
+const FLIPS_WIDTH: f32 = 250.0;
+/// How long before a flip (s of real time) its countdown lights up.
+const SOON: f64 = 1.0;
 
 /// Shows it.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
@@ -73,35 +75,46 @@ fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
 
 /// How often it flips and when next.
 fn flips(ui: &mut Ui, look: &Look<'_>) {
-    let words = |text: String| RichText::new(text).size(14.0);
+    let large = |text: String| RichText::new(text).size(20.0).strong();
+    let words = |text: String| RichText::new(text).size(14.5);
     let seconds = |time: f64| format!("{} s", numbers::significant(time, 3));
-    let next = look.timeline.next_flip(look.sim.time(), look.sim.clock.speed < 0.0);
+    let speed = look.sim.clock.speed;
+    let next = look.timeline.next_flip(look.sim.time(), speed < 0.0);
     ui.vertical(|ui| {
-        ui.spacing_mut().item_spacing.y = 1.0;
-        ui.add_space(3.0);
-        match (next, look.timeline.period) {
-            (Some(next), _) => {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        match next {
+            Some(next) => {
                 let wait = (next - look.sim.time()).abs();
-                // Counted from the start, wherever one came from.
-                let first = look.timeline.first_flip.unwrap_or(next);
-                let number = look.timeline.period.map_or(0.0, |period| ((next - first) / period).round()) + 1.0;
-                let name = if number >= 1.0 { format!("flip {number}") } else { "flip".to_owned() };
-                ui.label(words(format!("{name} in {wait:.1} s")));
+                let text = large(format!("next flip in {wait:.1} s"));
+                let is_soon = wait < SOON * speed.abs();
+                let color = style::warning(ui.visuals().dark_mode);
+                ui.label(if is_soon { text.color(color) } else { text });
             }
-            (None, _) if look.timeline.first_flip.is_some() => {
-                ui.label(words("no flip comes any more".to_owned()));
+            None if look.timeline.first_flip.is_some() => {
+                ui.label(large("no flip comes any more".to_owned()));
             }
-            _ => {
-                ui.label(words("it does not flip".to_owned()));
+            None => {
+                ui.label(large("it does not flip".to_owned()));
             }
         }
         let class = poinsot::classify(&look.scene.body, look.scene.start.body_momentum);
         if let (MotionClass::Separatrix, Some(period)) = (class, look.timeline.period) {
             // The start on the separatrix is rounded like any number: what flips it again is that.
-            ui.label(words(format!("once; again after {} by rounding alone", seconds(period))).weak());
+            ui.label(words(format!("once; again after {} by rounding alone", seconds(period))));
         } else if let Some(period) = look.timeline.period {
+            // Counted from the start, wherever one came from.
+            let count = next.map_or(0.0, |next| flips_since_start(look.timeline, next, speed < 0.0));
+            let count = format!("{count:.0} so far").replace('-', "−");
             let measured = look.flips.between().map_or(String::new(), |time| format!(", measured {}", seconds(time)));
-            ui.label(words(format!("every {}{measured}", seconds(period))).weak());
+            ui.label(words(format!("{count}, one every {}{measured}", seconds(period))));
         }
     });
+}
+
+/// Flips between the start and now, from the flip that comes next; negative before the start.
+fn flips_since_start(line: &Timeline, next: f64, is_backwards: bool) -> f64 {
+    let (Some(first), Some(period)) = (line.first_flip, line.period) else { return 0.0 };
+    let ahead = ((next - first) / period).round();
+    // Backwards the next flip has already been counted.
+    if is_backwards { ahead + 1.0 } else { ahead }
 }
