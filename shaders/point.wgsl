@@ -54,26 +54,26 @@ fn triangle(a: vec2f, up: f32, inner: f32) -> f32 {
     return max(a.x * 0.866 + up * 0.5, -up) - inner;
 }
 
-// Distance to the outline (pixels), negative inside. Forms are those of `Mark` in src/frame.rs, by their places.
+// Distance to the outline (pixels), negative inside. The forms are the marks of src/frame.rs, numbered by src/render/point.rs.
 fn outline(form: f32, p: vec2f, radius: f32) -> f32 {
     let a = abs(p);
     // Half the stroke of the empty forms.
     let stroke = 0.2 * radius;
     switch u32(form) {
-        case 0u: { return length(p) - radius; }
-        case 1u: { return abs(length(p) - 0.8 * radius) - stroke; }
-        case 2u: { return diamond(a, 1.2 * radius); }
-        case 3u: {
+        case DISC: { return length(p) - radius; }
+        case RING: { return abs(length(p) - 0.8 * radius) - stroke; }
+        case DIAMOND: { return diamond(a, 1.2 * radius); }
+        case CROSS: {
             let turned = vec2f(a.x + a.y, abs(a.x - a.y)) * 0.7071;
             return max(turned.x - 1.15 * radius, turned.y - 0.26 * radius);
         }
-        case 4u: { return square(a, 0.85 * radius); }
-        case 5u: { return triangle(a, p.y, 0.6 * radius); }
-        case 6u: { return triangle(a, -p.y, 0.6 * radius); }
-        case 7u: { return abs(square(a, 0.68 * radius)) - stroke; }
-        case 8u: { return abs(diamond(a, 0.95 * radius)) - stroke; }
-        case 9u: { return abs(triangle(a, p.y, 0.45 * radius)) - stroke; }
-        default: {
+        case SQUARE: { return square(a, 0.85 * radius); }
+        case TRIANGLE: { return triangle(a, p.y, 0.6 * radius); }
+        case TRIANGLE_DOWN: { return triangle(a, -p.y, 0.6 * radius); }
+        case OPEN_SQUARE: { return abs(square(a, 0.68 * radius)) - stroke; }
+        case OPEN_DIAMOND: { return abs(diamond(a, 0.95 * radius)) - stroke; }
+        case OPEN_TRIANGLE: { return abs(triangle(a, p.y, 0.45 * radius)) - stroke; }
+        case STAR, default: {
             // Where the edges from a tip of one axis to the waist on the diagonal cut.
             let far = max(a.x, a.y);
             let near = min(a.x, a.y);
@@ -93,7 +93,7 @@ fn fragment(in: Corner) -> @location(0) vec4f {
         discard;
     }
     var color = in.color.rgb;
-    if in.shape.y < 0.5 {
+    if u32(in.shape.y) == DISC {
         // A ball: lighter towards the upper left.
         let high = 1.0 - clamp(length(in.offset / radius - vec2f(-0.35, 0.35)), 0.0, 1.0);
         color = mix(color * (0.82 + 0.3 * high), vec3f(1.0), 0.25 * high * high);

@@ -6,6 +6,8 @@ use crate::physics::Method;
 use crate::scene::Layout;
 
 const SIZE: f32 = 19.0;
+/// Of the rows of the legend, which may be many.
+const LEGEND_SIZE: f32 = 17.0;
 
 /// Under the world.
 pub(super) fn world(context: &Context<'_>, view: &mut View) {
@@ -38,11 +40,11 @@ fn legend(context: &Context<'_>, view: &mut View) {
     let name = |method: &Method| method.label.split(',').next().unwrap_or_default().to_owned();
     let own = Sample { dash: Dash::Solid, mark: Mark::Disc, color: context.palette.momentum, rim };
     let text = format!("{} (the body)", name(simulation.main().method()));
-    view.notes.push(Note { text, size: SIZE, color: context.palette.momentum, sample: Some(own) });
+    view.notes.push(Note { text, size: LEGEND_SIZE, color: context.palette.momentum, sample: Some(own) });
     for ghost in simulation.ghosts() {
         let method = ghost.method();
         let color = ghosts::method_color(method, context.settings.theme);
         let sample = Sample { dash: ghosts::dash(method, 140.0), mark: ghosts::mark(method), color, rim };
-        view.notes.push(Note { text: name(method), size: SIZE, color, sample: Some(sample) });
+        view.notes.push(Note { text: name(method), size: LEGEND_SIZE, color, sample: Some(sample) });
     }
 }

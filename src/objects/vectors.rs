@@ -28,7 +28,9 @@ pub(super) fn angular_velocity(context: &Context<'_>, view: &mut View) {
     let simulation = context.simulation;
     let omega = simulation.state().world_angular_velocity(simulation.body());
     let arrow = context.world_angular_velocity(omega).clamp_length_max(LONGEST);
-    add(view, arrow, "ω", context.palette.omega, Vec2::new(1.0, 0.3), true);
+    // On the side of L's arrow where it is.
+    let side = if arrow.dot(view.camera.axes().0) < -0.02 { -1.0 } else { 1.0 };
+    add(view, arrow, "ω", context.palette.omega, Vec2::new(side, 0.3), true);
 }
 
 fn add(view: &mut View, to: Vec3, name: &str, color: Color, toward: Vec2, moves: bool) {

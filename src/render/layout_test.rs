@@ -87,6 +87,6 @@ fn floats_read(source: &str) -> usize {
 fn vertices_hold_what_the_shaders_read() {
     assert_eq!(floats_read(include_str!("../../shaders/solid.wgsl")) * 4, size_of::<VertexData>());
     assert_eq!(floats_read(include_str!("../../shaders/line.wgsl")) * 4, size_of::<SegmentData>());
-    assert_eq!(floats_read(include_str!("../../shaders/point.wgsl")) * 4, size_of::<MarkData>());
+    assert_eq!(floats_read(&super::point::source()) * 4, size_of::<MarkData>());
     assert_eq!(floats_read(include_str!("../../shaders/text.wgsl")) * 4, size_of::<GlyphData>());
 }

@@ -6,7 +6,7 @@ use bytemuck::{Pod, Zeroable};
 
 use super::buffer::QuadBuffer;
 use super::pipeline::{PipelineMaker, Recipe};
-use crate::frame::Frame;
+use crate::frame::{Frame, Mark};
 
 /// `Mark` of shaders/point.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -16,6 +16,27 @@ pub(super) struct MarkData {
     style: [f32; 3],
     color: [f32; 4],
     rim: [f32; 4],
+}
+
+/// The names of the marks in the shader, by their places in [`Mark`].
+const FORMS: [(Mark, &str); 11] = [
+    (Mark::Disc, "DISC"),
+    (Mark::Ring, "RING"),
+    (Mark::Diamond, "DIAMOND"),
+    (Mark::Cross, "CROSS"),
+    (Mark::Square, "SQUARE"),
+    (Mark::Triangle, "TRIANGLE"),
+    (Mark::TriangleDown, "TRIANGLE_DOWN"),
+    (Mark::OpenSquare, "OPEN_SQUARE"),
+    (Mark::OpenDiamond, "OPEN_DIAMOND"),
+    (Mark::OpenTriangle, "OPEN_TRIANGLE"),
+    (Mark::Star, "STAR"),
+];
+
+/// The shader after the numbers of the marks, which it names.
+pub(super) fn source() -> String {
+    let numbers: String = FORMS.iter().map(|(mark, name)| format!("const {name} = {}u;\n", *mark as u8)).collect();
+    numbers + include_str!("../../shaders/point.wgsl")
 }
 
 /// Draws the points of a frame.
@@ -28,7 +49,7 @@ pub(super) struct Points {
 
 impl Points {
     pub(super) fn new(maker: &PipelineMaker<'_>) -> Self {
-        let module = maker.module("point", include_str!("../../shaders/point.wgsl"));
+        let module = maker.module("point", &source());
         let pipeline = |label, vertex, depth| {
             maker.pipeline(&Recipe {
                 label,
