@@ -5,7 +5,7 @@ use std::ops::Range;
 use bytemuck::{Pod, Zeroable};
 
 use super::buffer::QuadBuffer;
-use super::pipeline::{PipelineMaker, Recipe};
+use super::pipeline::PipelineMaker;
 use crate::frame::{Dash, Frame, Line};
 
 /// `Segment` of shaders/line.wgsl.
@@ -34,25 +34,11 @@ pub(super) struct Lines {
 impl Lines {
     pub(super) fn new(maker: &PipelineMaker<'_>) -> Self {
         let module = maker.module("line", include_str!("../../shaders/line.wgsl"));
-        let pipeline = |label, vertex, depth| {
-            maker.pipeline(&Recipe {
-                label,
-                module: &module,
-                vertex,
-                buffer: Some(wgpu::VertexBufferLayout {
-                    array_stride: size_of::<SegmentData>() as u64,
-                    step_mode: wgpu::VertexStepMode::Vertex,
-                    attributes: &wgpu::vertex_attr_array![
-                        0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3,
-                        4 => Float32x4, 5 => Float32x3, 6 => Float32x4, 7 => Float32x4
-                    ],
-                }),
-                group: None,
-                cull: None,
-                depth,
-                writes_depth: false,
-            })
-        };
+        let attributes = wgpu::vertex_attr_array![
+            0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3,
+            4 => Float32x4, 5 => Float32x3, 6 => Float32x4, 7 => Float32x4
+        ];
+        let pipeline = |label, vertex, depth| maker.overlay::<SegmentData>(label, &module, &attributes, vertex, depth);
         Self {
             seen: pipeline("lines", "vertex_seen", wgpu::CompareFunction::GreaterEqual),
             hidden: pipeline("hidden lines", "vertex_hidden", wgpu::CompareFunction::Less),

@@ -31,6 +31,23 @@ pub(super) struct Recipe<'a> {
 }
 
 impl PipelineMaker<'_> {
+    /// Of quads laid over what is drawn: from the entry `vertex`, where the depth of the buffer allows.
+    pub(super) fn overlay<T>(
+        &self,
+        label: &'static str,
+        module: &wgpu::ShaderModule,
+        attributes: &[wgpu::VertexAttribute],
+        vertex: &'static str,
+        depth: wgpu::CompareFunction,
+    ) -> wgpu::RenderPipeline {
+        let buffer = Some(wgpu::VertexBufferLayout {
+            array_stride: size_of::<T>() as u64,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes,
+        });
+        self.pipeline(&Recipe { label, module, vertex, buffer, group: None, cull: None, depth, writes_depth: false })
+    }
+
     pub(super) fn module(&self, label: &'static str, source: &str) -> wgpu::ShaderModule {
         self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(label),

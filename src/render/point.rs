@@ -5,7 +5,7 @@ use std::ops::Range;
 use bytemuck::{Pod, Zeroable};
 
 use super::buffer::QuadBuffer;
-use super::pipeline::{PipelineMaker, Recipe};
+use super::pipeline::PipelineMaker;
 use crate::frame::{Frame, Mark};
 
 /// `Mark` of shaders/point.wgsl.
@@ -50,24 +50,10 @@ pub(super) struct Points {
 impl Points {
     pub(super) fn new(maker: &PipelineMaker<'_>) -> Self {
         let module = maker.module("point", &source());
-        let pipeline = |label, vertex, depth| {
-            maker.pipeline(&Recipe {
-                label,
-                module: &module,
-                vertex,
-                buffer: Some(wgpu::VertexBufferLayout {
-                    array_stride: size_of::<MarkData>() as u64,
-                    step_mode: wgpu::VertexStepMode::Vertex,
-                    attributes: &wgpu::vertex_attr_array![
-                        0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32x4
-                    ],
-                }),
-                group: None,
-                cull: None,
-                depth,
-                writes_depth: false,
-            })
-        };
+        let attributes = wgpu::vertex_attr_array![
+            0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32x4
+        ];
+        let pipeline = |label, vertex, depth| maker.overlay::<MarkData>(label, &module, &attributes, vertex, depth);
         Self {
             seen: pipeline("points", "vertex_seen", wgpu::CompareFunction::GreaterEqual),
             hidden: pipeline("hidden points", "vertex_hidden", wgpu::CompareFunction::Less),
