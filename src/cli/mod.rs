@@ -2,6 +2,7 @@
 
 mod arguments;
 mod failure;
+mod input;
 mod lists;
 mod manual;
 mod output;
