@@ -53,6 +53,9 @@ pub(super) struct RecordArguments {
     /// Leave numbered frames alone that are already whole on disk
     #[arg(long)]
     keep: bool,
+    /// Known only to be refused in words of its own.
+    #[arg(long, hide = true)]
+    panel: bool,
 }
 
 /// What is written.
@@ -73,6 +76,11 @@ impl From<MovieError> for Failure {
 pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
     keep_quiet();
     let picture = &arguments.picture;
+    if arguments.panel {
+        return Err(Failure::request(
+            "--panel goes with shot alone: a recording shows the picture, and `dzhanibekov shot --panel --time T` the panel at a time",
+        ));
+    }
     let (scene, words) = picture_scene(picture)?;
     let format = format_of(arguments)?;
     let frames = frames_of(arguments)?;
