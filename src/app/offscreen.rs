@@ -29,6 +29,8 @@ pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]
     context.set_zoom_factor(zoom);
     let mut panels = Panels::default();
     let canvas = Canvas::new(gpu, [width, height]);
+    // The panels' renderer ends the program on a device that is lost.
+    gpu.check()?;
     let mut painter = egui_wgpu::Renderer::new(&gpu.device, FORMAT, egui_wgpu::RendererOptions::PREDICTABLE);
 
     // The first pass has no sizes yet.

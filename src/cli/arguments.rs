@@ -6,7 +6,8 @@ use clap::{Args, ValueEnum};
 
 use dzhanibekov::scene::{DEFAULT_PRESET, Layout, Scene, SceneFile, Theme, flags, preset};
 
-use super::failure::Failure;
+use super::failure::{Failure, say};
+use super::input::read_text;
 
 /// Largest scene file read (bytes): a thousand times the longest preset.
 const LARGEST_FILE: u64 = 1 << 20;
@@ -196,7 +197,7 @@ impl SceneArguments {
         })?;
         if !is_quiet {
             for warning in scene.warnings() {
-                eprintln!("dzhanibekov: {warning}");
+                say(&warning);
             }
         }
         Ok(scene)
@@ -322,22 +323,16 @@ fn override_with<T>(value: &mut Option<T>, given: Option<T>) {
 /// Reads a scene file; its path comes with it.
 fn read_file(path: &Path) -> Result<(String, SceneFile), Failure> {
     let name = path.display().to_string();
-    let text = read_text(path).map_err(|reason| Failure::request(format!("{name}: {reason}")))?;
+    let text = read_scene(path).map_err(|reason| Failure::request(format!("{name}: {reason}")))?;
     let file = SceneFile::parse(&text).map_err(|error| Failure::request(format!("{name}: {error}")))?;
     Ok((name, file))
 }
 
-fn read_text(path: &Path) -> Result<String, String> {
+fn read_scene(path: &Path) -> Result<String, String> {
     if path.is_dir() {
         return Err("is a folder, which only the window can show; here name one of the scenes in it".to_owned());
     }
-    let length = std::fs::metadata(path).map_err(|error| format!("could not be read: {error}"))?.len();
-    if length > LARGEST_FILE {
-        return Err(format!("is {length} bytes long, and a scene has at most {LARGEST_FILE}"));
-    }
-    let bytes = std::fs::read(path).map_err(|error| format!("could not be read: {error}"))?;
-    String::from_utf8(bytes)
-        .map_err(|error| format!("is no UTF-8 text: byte {} is not valid", error.utf8_error().valid_up_to()))
+    read_text(path, LARGEST_FILE)
 }
 
 /// Reads exactly `N` numbers with commas between them.

@@ -34,10 +34,15 @@ impl Failure {
             Self::Request(message) => (message, 2),
             Self::Could(message) => (message, 1),
         };
-        // Where even standard error is closed there is nobody left to tell.
-        let _ = std::io::Write::write_all(&mut std::io::stderr(), format!("dzhanibekov: {message}\n").as_bytes());
+        say(&message);
         ExitCode::from(code)
     }
+}
+
+/// Says something on standard error. Where even that is closed or full there is nobody left to tell, and the result
+/// is worth more than the words.
+pub(super) fn say(message: &str) {
+    let _ = std::io::Write::write_all(&mut std::io::stderr(), format!("dzhanibekov: {message}\n").as_bytes());
 }
 
 impl From<SceneError> for Failure {

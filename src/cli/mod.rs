@@ -2,6 +2,7 @@
 
 mod arguments;
 mod failure;
+mod input;
 mod lists;
 mod manual;
 mod output;
@@ -65,6 +66,7 @@ enum Command {
     #[command(after_help = "Examples:
   dzhanibekov shot flip -o flip.png
   dzhanibekov shot flip --time 2.5 --size 3840x2160 --theme light -o flip.png
+  dzhanibekov shot flip --time 2.5 --panel -o window.png
   dzhanibekov shot --moments 1,2,3 --omega 0,1,0.001 --view body -o - | display")]
     Shot(Box<picture::ShotArguments>),
     #[cfg(feature = "picture")]
@@ -79,7 +81,7 @@ enum Command {
     /// Write the motion as numbers (CSV)
     #[command(after_help = "Examples:
   dzhanibekov trace flip --at 0,1,10
-  dzhanibekov trace --moments 0.5,0.85,1 --omega 0.4,1.176470588235294,0.4 --method buss --step 0.001 --at 30
+  dzhanibekov trace --moments 0.5,0.85,1 --omega 0.4,1.18,0.4 --method buss --step 0.001 --at 30
   dzhanibekov trace flip --every 0.01 --duration 10 -o flip.csv")]
     Trace(Box<trace::TraceArguments>),
     #[cfg(feature = "report")]
@@ -90,17 +92,34 @@ enum Command {
   dzhanibekov report flip --peers peers.json    a scene besides, and other programs' points")]
     Report(Box<arguments::ReportArguments>),
     /// List the scenes built in
+    #[command(after_help = "Examples:
+  dzhanibekov scenes
+  dzhanibekov scenes --json")]
     Scenes(lists::ListArguments),
     /// List the methods
+    #[command(after_help = "Examples:
+  dzhanibekov methods
+  dzhanibekov methods --json")]
     Methods(lists::ListArguments),
     #[cfg(feature = "picture")]
     /// List the graphics adapters
+    #[command(after_help = "Examples:
+  dzhanibekov adapters
+  dzhanibekov shot flip --adapter llvmpipe -o flip.png    a part of a name chooses it")]
     Adapters(lists::ListArguments),
     /// Write the man page to standard output: dzhanibekov man | man -l -
-    #[command(hide = true)]
+    #[command(
+        hide = true,
+        after_help = "Examples:
+  dzhanibekov man | man -l -"
+    )]
     Man,
     /// Write completions for a shell to standard output
-    #[command(hide = true)]
+    #[command(
+        hide = true,
+        after_help = "Examples:
+  dzhanibekov completions bash"
+    )]
     Completions(manual::CompletionArguments),
 }
 

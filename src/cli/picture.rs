@@ -7,13 +7,13 @@ use clap::Args;
 use dzhanibekov::headless::encode;
 use dzhanibekov::headless::{HeadlessError, Note, ShotOptions, shot as draw};
 use dzhanibekov::objects::{OBJECTS, object_named};
-use dzhanibekov::render;
+use dzhanibekov::render::{self, Gpu};
 use dzhanibekov::scene::{Scene, nearest, quoted};
 use dzhanibekov::sim::Simulation;
 use serde_json::json;
 
 use super::arguments::PictureArguments;
-use super::failure::Failure;
+use super::failure::{Failure, say};
 use super::lists::{ListArguments, print, table};
 use super::output::{check_place, io_failure, write_whole};
 use super::quiet_driver::keep_quiet;
@@ -53,10 +53,10 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     if let Some(error) = simulation.main().failure() {
         return Err(Failure::could(error.to_string()));
     }
+    let gpu = open(picture)?;
     #[cfg(feature = "window")]
     if arguments.panel {
         let options = options(picture);
-        let gpu = options.open()?;
         let mut notes = notes(picture, &words, picture.time);
         if let Some((_, command)) = notes.last_mut() {
             command.push_str(" --panel");
@@ -66,7 +66,7 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
         let bytes = encode(&pixels, false, &notes).map_err(HeadlessError::from)?;
         return write_picture(&arguments.output, &bytes);
     }
-    let bytes = draw(&simulation, &options(picture), &notes(picture, &words, picture.time))?;
+    let bytes = draw(&gpu, &simulation, &options(picture), &notes(picture, &words, picture.time))?;
     write_picture(&arguments.output, &bytes)
 }
 
@@ -86,6 +86,15 @@ pub(super) fn picture_scene(picture: &PictureArguments) -> Result<(Scene, Vec<St
 
 pub(super) fn options(picture: &PictureArguments) -> ShotOptions {
     ShotOptions { size: picture.size, transparent: picture.transparent, adapter: picture.adapter.clone() }
+}
+
+/// Opens what the picture is drawn on, and says so where that is the processor though nobody asked for it.
+pub(super) fn open(picture: &PictureArguments) -> Result<Gpu, Failure> {
+    let gpu = options(picture).open()?;
+    if gpu.is_software() && picture.adapter.is_none() && !picture.quiet {
+        say(&format!("drawing on the processor ({}): no GPU was found", gpu.description().name));
+    }
+    Ok(gpu)
 }
 
 /// What a picture's file says of itself: the program, the scene, the time and the command that draws it again.

@@ -1,7 +1,7 @@
 //! `report`: speed against error, measured on this machine.
 
 use std::fs;
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::path::Path;
 
 use dzhanibekov::report::cases::Case;
@@ -9,7 +9,8 @@ use dzhanibekov::report::{self, Effort, Report, ReportError, peers, write};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::arguments::ReportArguments;
-use super::failure::Failure;
+use super::failure::{Failure, say};
+use super::input::read_text;
 use super::output::{io_failure, write_whole};
 
 /// Folder of a report that names none.
@@ -24,9 +25,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
     let scene = if arguments.scene.is_given() { Some(arguments.scene.scene(None, arguments.quiet)?) } else { None };
     let is_at_rest = scene.as_ref().is_some_and(|scene| Case::of_scene(scene).is_none());
     if is_at_rest && !arguments.quiet {
-        eprintln!(
-            "dzhanibekov: the body of the scene is at rest: there is nothing to measure on it, and it is left out"
-        );
+        say("the body of the scene is at rest: there is nothing to measure on it, and it is left out");
     }
     let peers = arguments.peers.as_deref().map(read_peers).transpose()?.unwrap_or_default();
     let folder = match (&arguments.output, &arguments.json) {
@@ -63,13 +62,14 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
         write_text(file, &write::json::write(&report))?;
     }
     if !arguments.quiet {
-        eprint!("{}", write::terminal::write(&report));
+        // Words for a reader: where they cannot be read the report stands all the same.
+        let _ = std::io::stderr().write_all(write::terminal::write(&report).as_bytes());
         let left_out = report.peers.len() - report.beside.len();
         if left_out > 0 {
-            eprintln!("dzhanibekov: {left_out} of the peers' points are of motions or times that were not measured");
+            say(&format!("{left_out} of the peers' points are of motions or times that were not measured"));
         }
         if let Some(folder) = folder {
-            eprintln!("dzhanibekov: the report is in {}", folder.join("report.html").display());
+            say(&format!("the report is in {}", folder.join("report.html").display()));
         }
     }
     Ok(())
@@ -100,11 +100,7 @@ fn prepare(folder: &Path) -> Result<(), Failure> {
 
 fn read_peers(path: &Path) -> Result<Vec<peers::Peer>, Failure> {
     let wrong = |reason: String| Failure::request(format!("{}: {reason}", path.display()));
-    let length = fs::metadata(path).map_err(|error| wrong(format!("could not be read: {error}")))?.len();
-    if length > LARGEST_FILE {
-        return Err(wrong(format!("is {length} bytes long, and a list of points has at most {LARGEST_FILE}")));
-    }
-    let text = fs::read_to_string(path).map_err(|error| wrong(format!("could not be read: {error}")))?;
+    let text = read_text(path, LARGEST_FILE).map_err(wrong)?;
     peers::parse(&text).map_err(|error: ReportError| wrong(error.to_string()))
 }
 

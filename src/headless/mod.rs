@@ -1,6 +1,7 @@
 //! Pictures and sequences with no window and no event loop.
 
 mod apng;
+mod fault;
 mod gif;
 mod movie;
 mod png;

@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{SyncSender, sync_channel};
 
+use super::fault;
 use super::shot::{HeadlessError, ShotOptions};
 use crate::frame::Frame;
 use crate::objects::{Cameras, build_frame};
@@ -59,21 +60,22 @@ impl Recording {
     }
 }
 
-/// Draws the wanted frames in order and hands each to `take` on a thread of its own, so that drawing, read-back and
-/// encoding overlap; memory does not grow with the number of frames. `skip` says which frames are not needed.
+/// Draws the wanted frames in order, on the device that the options opened, and hands each to `take` on a thread of its
+/// own, so that drawing, read-back and encoding overlap; memory does not grow with the number of frames. `skip` says which frames are not needed.
 ///
 /// Stops early, with `false`, once `stop` is set: the frames handed over until then are whole.
 ///
 /// # Errors
 /// What the device reports, or the method, or what `take` returns.
 pub fn record<E: From<HeadlessError> + Send>(
+    gpu: &Gpu,
     scene: &Scene,
     recording: &Recording,
     stop: &AtomicBool,
     mut skip: impl FnMut(u64) -> bool,
     mut take: impl FnMut(u64, Pixels) -> Result<(), E> + Send,
 ) -> Result<bool, E> {
-    let mut artist = Artist::new(scene, recording)?;
+    let mut artist = Artist::new(gpu, scene, recording)?;
     std::thread::scope(|scope| {
         let (sender, receiver) = sync_channel::<(u64, Pixels)>(WAITING);
         let taker = scope.spawn(move || {
@@ -95,7 +97,7 @@ pub fn record<E: From<HeadlessError> + Send>(
 
 /// Draws frame after frame, each read back while the next is prepared.
 fn draw_all(
-    artist: &mut Artist,
+    artist: &mut Artist<'_>,
     recording: &Recording,
     stop: &AtomicBool,
     skip: &mut impl FnMut(u64) -> bool,
@@ -103,6 +105,7 @@ fn draw_all(
 ) -> Result<bool, HeadlessError> {
     let mut under_way: Option<(u64, usize, wgpu::SubmissionIndex)> = None;
     let mut next_canvas = 0;
+    let mut drawn = 0;
     for index in recording.frames.clone() {
         if stop.load(Ordering::Relaxed) {
             return Ok(false);
@@ -111,6 +114,8 @@ fn draw_all(
             continue;
         }
         let reading = artist.draw(next_canvas, recording.time(index))?;
+        drawn += 1;
+        fault::after(drawn, artist.gpu);
         let before = under_way.replace((index, next_canvas, reading));
         next_canvas = 1 - next_canvas;
         if let Some((index, canvas, reading)) = before
@@ -129,20 +134,19 @@ fn draw_all(
 }
 
 /// The simulation with what draws it, on two canvases in turn.
-struct Artist {
+struct Artist<'a> {
     simulation: Simulation,
     cameras: Cameras,
     transparent: bool,
-    gpu: Gpu,
+    gpu: &'a Gpu,
     renderer: Renderer,
     canvases: [Canvas; 2],
 }
 
-impl Artist {
-    fn new(scene: &Scene, recording: &Recording) -> Result<Self, HeadlessError> {
-        let gpu = recording.shot.open()?;
-        let renderer = Renderer::new(&gpu);
-        let canvases = [(); 2].map(|()| Canvas::new(&gpu, recording.shot.size));
+impl<'a> Artist<'a> {
+    fn new(gpu: &'a Gpu, scene: &Scene, recording: &Recording) -> Result<Self, HeadlessError> {
+        let renderer = Renderer::new(gpu);
+        let canvases = [(); 2].map(|()| Canvas::new(gpu, recording.shot.size));
         gpu.check()?;
         Ok(Self {
             simulation: Simulation::new(scene),
@@ -164,11 +168,11 @@ impl Artist {
         let view = &self.simulation.scene().view;
         let mut frame: Frame = build_frame(&self.simulation, view, &self.cameras, width as f32 / height as f32);
         frame.transparent = self.transparent;
-        self.renderer.render(&self.gpu, &frame, canvas.view(), canvas.size(), point_size(canvas.size()));
-        Ok(canvas.begin_read(&self.gpu))
+        self.renderer.render(self.gpu, &frame, canvas.view(), canvas.size(), point_size(canvas.size()));
+        Ok(canvas.begin_read(self.gpu))
     }
 
     fn finish(&self, canvas: usize, reading: wgpu::SubmissionIndex) -> Result<Pixels, HeadlessError> {
-        Ok(self.canvases[canvas].finish_read(&self.gpu, reading)?)
+        Ok(self.canvases[canvas].finish_read(self.gpu, reading)?)
     }
 }

@@ -1,5 +1,6 @@
 //! One picture.
 
+use super::fault;
 use super::png::{Note, encode};
 use crate::frame::Frame;
 use crate::objects::{Cameras, build_frame};
@@ -10,14 +11,18 @@ use crate::sim::Simulation;
 #[derive(Debug, thiserror::Error)]
 pub enum HeadlessError {
     /// A size that no picture has.
-    #[error("size {width}x{height} cannot be drawn: both must be between 1 and {largest}")]
+    #[error(
+        "size {width}x{height} cannot be drawn: both must be between 1 and {largest}, and a picture has at most {most} pixels"
+    )]
     Size {
         /// The width asked for.
         width: u32,
         /// The height asked for.
         height: u32,
-        /// The most that the adapter draws.
+        /// The largest side that the adapter draws.
         largest: u32,
+        /// The most pixels that it draws at once.
+        most: u64,
     },
     /// No adapter, or one that failed.
     #[error(transparent)]
@@ -62,35 +67,34 @@ impl ShotOptions {
     /// No adapter, or a size that it cannot draw.
     pub fn open(&self) -> Result<Gpu, HeadlessError> {
         let [width, height] = self.size;
-        let refused = |largest| Err(HeadlessError::Size { width, height, largest });
+        let refused = |largest, most| Err(HeadlessError::Size { width, height, largest, most });
         if width == 0 || height == 0 {
-            return refused(8192);
+            return refused(8192, 1 << 26);
         }
         let gpu = Gpu::headless(self.adapter.as_deref())?;
-        let largest = gpu.largest_side();
-        if width.max(height) > largest {
-            return refused(largest);
+        if !Canvas::fits(&gpu, self.size) {
+            return refused(gpu.largest_side(), Canvas::most_pixels(&gpu));
         }
+        fault::after(0, &gpu);
         Ok(gpu)
     }
 }
 
-/// A device with everything that draws pictures of one size, to be used again for each frame.
-pub struct Studio {
-    gpu: Gpu,
+/// Everything that draws pictures of one size, to be used again for each frame.
+pub struct Studio<'a> {
+    gpu: &'a Gpu,
     renderer: Renderer,
     canvas: Canvas,
 }
 
-impl Studio {
-    /// Opens a device.
+impl<'a> Studio<'a> {
+    /// Prepares pictures of this size on a device that can draw them (see [`ShotOptions::open`]).
     ///
     /// # Errors
-    /// No adapter, or a size that it cannot draw.
-    pub fn new(options: &ShotOptions) -> Result<Self, HeadlessError> {
-        let gpu = options.open()?;
-        let renderer = Renderer::new(&gpu);
-        let canvas = Canvas::new(&gpu, options.size);
+    /// What the device reports.
+    pub fn new(gpu: &'a Gpu, size: [u32; 2]) -> Result<Self, HeadlessError> {
+        let renderer = Renderer::new(gpu);
+        let canvas = Canvas::new(gpu, size);
         gpu.check()?;
         Ok(Self { gpu, renderer, canvas })
     }
@@ -101,8 +105,8 @@ impl Studio {
     /// What the device reports.
     pub fn draw(&mut self, frame: &Frame) -> Result<Pixels, HeadlessError> {
         let size = self.canvas.size();
-        self.renderer.render(&self.gpu, frame, self.canvas.view(), size, point_size(size));
-        Ok(self.canvas.read(&self.gpu)?)
+        self.renderer.render(self.gpu, frame, self.canvas.view(), size, point_size(size));
+        Ok(self.canvas.read(self.gpu)?)
     }
 
     /// The aspect of the pictures: width over height.
@@ -113,12 +117,18 @@ impl Studio {
     }
 }
 
-/// Draws a simulation as it is now, by its scene's own view: the bytes of a PNG file.
+/// Draws a simulation as it is now, by its scene's own view, on the device that the options opened: the bytes of a
+/// PNG file.
 ///
 /// # Errors
 /// See [`HeadlessError`].
-pub fn shot(simulation: &Simulation, options: &ShotOptions, notes: &[Note]) -> Result<Vec<u8>, HeadlessError> {
-    let mut studio = Studio::new(options)?;
+pub fn shot(
+    gpu: &Gpu,
+    simulation: &Simulation,
+    options: &ShotOptions,
+    notes: &[Note],
+) -> Result<Vec<u8>, HeadlessError> {
+    let mut studio = Studio::new(gpu, options.size)?;
     let view = &simulation.scene().view;
     let mut frame = build_frame(simulation, view, &Cameras::new(view), studio.aspect());
     frame.transparent = options.transparent;

@@ -27,8 +27,8 @@ pub enum GpuError {
         /// What the driver said.
         cause: wgpu::RequestDeviceError,
     },
-    /// The device reported an error while drawing.
-    #[error("the graphics driver refused the picture: {0}")]
+    /// The device was lost, ran out of memory or reported an error while drawing.
+    #[error("the graphics driver gave up drawing: {0}")]
     Drawing(String),
 }
 
@@ -161,8 +161,16 @@ impl Gpu {
         let slot = Arc::clone(&error);
         // Without a handler a driver's complaint would end the program; the first one is kept for the caller.
         device.on_uncaptured_error(Arc::new(move |complaint: wgpu::Error| {
-            slot.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| complaint.to_string());
+            slot.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| one_line(&complaint.to_string()));
         }));
+        let slot = Arc::clone(&error);
+        // A window sets its own. What fails after the loss only follows from it, so the loss is what is told.
+        device.set_device_lost_callback(move |_, reason| {
+            let reason = one_line(&reason);
+            let separator = if reason.is_empty() { "" } else { ": " };
+            let told = format!("the device was lost{separator}{reason}");
+            *slot.lock().unwrap_or_else(PoisonError::into_inner) = Some(told);
+        });
         Ok(Self { adapter, device, queue, error })
     }
 
@@ -172,11 +180,19 @@ impl Gpu {
         AdapterDescription::new(&self.adapter.get_info())
     }
 
+    /// Whether it draws on the processor.
+    #[must_use]
+    pub fn is_software(&self) -> bool {
+        self.adapter.get_info().device_type == wgpu::DeviceType::Cpu
+    }
+
     /// The first error that the device has reported since the last call.
     ///
     /// # Errors
     /// That error.
     pub fn check(&self) -> Result<(), GpuError> {
+        // That the device was lost is told only to who asks how it goes.
+        let _ = self.device.poll(wgpu::PollType::Poll);
         let reported = self.error.lock().unwrap_or_else(PoisonError::into_inner).take();
         reported.map_or(Ok(()), |complaint| Err(GpuError::Drawing(complaint)))
     }
@@ -186,6 +202,11 @@ impl Gpu {
     pub fn largest_side(&self) -> u32 {
         self.device.limits().max_texture_dimension_2d
     }
+}
+
+/// The driver's words without their line breaks.
+fn one_line(words: &str) -> String {
+    words.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 fn choose(

@@ -23,7 +23,20 @@ pub struct Pixels {
 }
 
 impl Canvas {
-    /// A canvas of this width and height, which must be within [`Gpu::largest_side`].
+    /// The most pixels of a picture, whatever its shape, that the device gives back in one piece.
+    #[must_use]
+    pub fn most_pixels(gpu: &Gpu) -> u64 {
+        gpu.device.limits().max_buffer_size / 4
+    }
+
+    /// Whether a picture of this size can be drawn: within [`Gpu::largest_side`] and in one piece.
+    #[must_use]
+    pub fn fits(gpu: &Gpu, [width, height]: [u32; 2]) -> bool {
+        width.max(height) <= gpu.largest_side()
+            && u64::from(row_bytes(width)) * u64::from(height) <= gpu.device.limits().max_buffer_size
+    }
+
+    /// A canvas of this width and height, which must be such that it [fits](Self::fits).
     #[must_use]
     pub fn new(gpu: &Gpu, size: [u32; 2]) -> Self {
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {

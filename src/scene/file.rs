@@ -185,5 +185,13 @@ fn one_sentence(message: &str) -> String {
             None => format!("unknown key `{given}`; known here are {}", known.join(", ")),
         };
     }
-    message.split_whitespace().collect::<Vec<_>>().join(" ")
+    // Serde names the types of the code; a reader knows those of the file.
+    let known = [("f64", "a number"), ("u8", "a whole number"), ("i64", "a whole number"), ("a sequence", "an array")];
+    let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
+    let Some((given, expected)) = message.rsplit_once("expected ") else { return message };
+    match known.into_iter().find(|(name, _)| expected == *name) {
+        Some((_, words)) => format!("{given}expected {words}"),
+        None if expected.starts_with("struct ") => format!("{given}expected a table"),
+        None => message,
+    }
 }

@@ -18,7 +18,11 @@ pub(super) struct Ffmpeg {
 impl Ffmpeg {
     /// Starts it on a file, which it may write over.
     pub(super) fn new(path: &Path, size: [u32; 2], rate: FrameRate) -> Result<Self, Failure> {
-        let mut child = Command::new("ffmpeg")
+        let mut command = Command::new("ffmpeg");
+        // A terminal's Ctrl-C is for this program, which then says what becomes of the film.
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        let mut child = command
             .args(["-nostdin", "-loglevel", "error", "-y", "-f", "yuv4mpegpipe", "-i", "-"])
             .args(["-c:v", "libx264", "-preset", "veryfast", "-crf", "16", "-pix_fmt", "yuv420p"])
             .args(["-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"])
@@ -47,7 +51,8 @@ impl Ffmpeg {
             stderr.read_to_string(&mut words)?;
         }
         let status = self.child.wait()?;
-        if status.success() {
+        // It calls it a success where the disk was full at the end; only its errors are let through to standard error.
+        if status.success() && words.trim().is_empty() {
             return Ok(());
         }
         let reason = words.lines().last().map_or_else(String::new, |line| format!(": {}", line.trim()));

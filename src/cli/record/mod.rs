@@ -15,15 +15,15 @@ use dzhanibekov::headless::{
     Apng, FrameRate, Gif, HeadlessError, Movie, MovieError, Recording, Studio, Y4m, encode, is_whole, record,
 };
 use dzhanibekov::objects::{Cameras, build_frame};
-use dzhanibekov::render::Pixels;
+use dzhanibekov::render::{Gpu, Pixels};
 use dzhanibekov::scene::Scene;
 use dzhanibekov::sim::Simulation;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::arguments::PictureArguments;
-use super::failure::Failure;
+use super::failure::{Failure, say};
 use super::output::{WholeFile, check_place, io_failure};
-use super::picture::{notes, options, picture_scene};
+use super::picture::{notes, open, options, picture_scene};
 use super::quiet_driver::keep_quiet;
 use super::signal;
 use ffmpeg::Ffmpeg;
@@ -53,6 +53,9 @@ pub(super) struct RecordArguments {
     /// Leave numbered frames alone that are already whole on disk
     #[arg(long)]
     keep: bool,
+    /// Known only to be refused in words of its own.
+    #[arg(long, hide = true)]
+    panel: bool,
 }
 
 /// What is written.
@@ -73,12 +76,18 @@ impl From<MovieError> for Failure {
 pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
     keep_quiet();
     let picture = &arguments.picture;
+    if arguments.panel {
+        return Err(Failure::request(
+            "--panel goes with shot alone: a recording shows the picture, and `dzhanibekov shot --panel --time T` the panel at a time",
+        ));
+    }
     let (scene, words) = picture_scene(picture)?;
     let format = format_of(arguments)?;
     let frames = frames_of(arguments)?;
     check_place(&arguments.output)?;
     let recording = Recording { shot: options(picture), start: picture.time, rate: arguments.fps, frames };
     let stop = signal::raise_flag()?;
+    let gpu = open(picture)?;
     let count = recording.frames.end - recording.frames.start;
     let bar = progress_bar(count, picture.quiet);
     let begun = Instant::now();
@@ -93,7 +102,7 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
                 bar.inc(u64::from(is_kept));
                 is_kept
             };
-            record(&scene, &recording, &stop, skip, |index, pixels| {
+            record(&gpu, &scene, &recording, &stop, skip, |index, pixels| {
                 let bytes = encode(&pixels, picture.transparent, &notes_of(index)).map_err(HeadlessError::from)?;
                 let path = pattern.path(index);
                 let mut file = WholeFile::create(&path)?;
@@ -105,7 +114,7 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
         }
         Format::Stream => {
             let movie = Y4m::new(BufWriter::new(io::stdout()), picture.size, arguments.fps)?;
-            film(&scene, &recording, &stop, &bar, Box::new(movie))?
+            film(&gpu, &scene, &recording, &stop, &bar, Box::new(movie))?
         }
         Format::Gif | Format::Apng | Format::Mp4 => {
             let file = WholeFile::create(&arguments.output)?;
@@ -115,11 +124,11 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
             };
             let (size, rate) = (picture.size, arguments.fps);
             let movie: Box<dyn Movie> = match format {
-                Format::Gif => Box::new(Gif::new(writer()?, size, rate, &samples(&scene, &recording)?)?),
+                Format::Gif => Box::new(Gif::new(writer()?, size, rate, &samples(&gpu, &scene, &recording)?)?),
                 Format::Apng => Box::new(Apng::new(writer()?, size, rate, count, picture.transparent)?),
                 _ => Box::new(Ffmpeg::new(file.beside(), size, rate)?),
             };
-            let is_finished = film(&scene, &recording, &stop, &bar, movie)?;
+            let is_finished = film(&gpu, &scene, &recording, &stop, &bar, movie)?;
             if is_finished {
                 file.keep()?;
             }
@@ -135,13 +144,14 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
     if !picture.quiet {
         let seconds = begun.elapsed().as_secs_f64();
         let speed = count as f64 / seconds.max(1e-9);
-        eprintln!("dzhanibekov: {count} frames in {seconds:.1} s, {speed:.0} a second: {}", arguments.output.display());
+        say(&format!("{count} frames in {seconds:.1} s, {speed:.0} a second: {}", arguments.output.display()));
     }
     Ok(())
 }
 
 /// Draws every frame into a film; `false` where it was stopped.
 fn film(
+    gpu: &Gpu,
     scene: &Scene,
     recording: &Recording,
     stop: &AtomicBool,
@@ -149,6 +159,7 @@ fn film(
     mut movie: Box<dyn Movie>,
 ) -> Result<bool, Failure> {
     let is_finished = record(
+        gpu,
         scene,
         recording,
         stop,
@@ -166,13 +177,11 @@ fn film(
 }
 
 /// Small pictures from all over the recording, for a palette.
-fn samples(scene: &Scene, recording: &Recording) -> Result<Vec<Pixels>, Failure> {
-    let mut shot = recording.shot.clone();
-    let [width, height] = shot.size;
-    if width > SAMPLE_WIDTH {
-        shot.size = [SAMPLE_WIDTH, (height * SAMPLE_WIDTH).div_ceil(width)];
-    }
-    let mut studio = Studio::new(&shot)?;
+fn samples(gpu: &Gpu, scene: &Scene, recording: &Recording) -> Result<Vec<Pixels>, Failure> {
+    let [width, height] = recording.shot.size;
+    let size =
+        if width > SAMPLE_WIDTH { [SAMPLE_WIDTH, (height * SAMPLE_WIDTH).div_ceil(width)] } else { [width, height] };
+    let mut studio = Studio::new(gpu, size)?;
     let cameras = Cameras::new(&scene.view);
     let mut simulation = Simulation::new(scene);
     let Range { start, end } = recording.frames;
@@ -215,9 +224,7 @@ fn format_of(arguments: &RecordArguments) -> Result<Format, Failure> {
         )));
     }
     if matches!(format, Format::Gif) && arguments.fps.per_second() > 50.0 && !arguments.picture.quiet {
-        eprintln!(
-            "dzhanibekov: many programs slow down a GIF of more than 50 frames a second: --fps 50 plays right everywhere"
-        );
+        say("many programs slow down a GIF of more than 50 frames a second: --fps 50 plays right everywhere");
     }
     Ok(format)
 }
