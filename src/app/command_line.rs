@@ -25,9 +25,19 @@ pub(super) fn shot(base: &Base, file: &SceneFile, cameras: &Cameras, time: f64, 
     set_camera(&mut file, &base.file, cameras);
     let mut words = vec!["dzhanibekov".to_owned(), "shot".to_owned(), base.name.clone()];
     words.extend(flags(&base.file, &file));
-    words.extend(["--time".to_owned(), time.to_string(), "--size".to_owned(), format!("{}x{}", size[0], size[1])]);
+    words.extend([
+        "--time".to_owned(),
+        rounded_time(time).to_string(),
+        "--size".to_owned(),
+        format!("{}x{}", size[0], size[1]),
+    ]);
     words.extend(["-o".to_owned(), format!("{}.png", super::files::slug(&file.title))]);
     Some(quoted(&words))
+}
+
+/// Without the digits that adding up steps leaves at the end: a nanosecond is nothing to see.
+fn rounded_time(time: f64) -> f64 {
+    if time.abs() < 1e6 { (time * 1e9).round() / 1e9 } else { time }
 }
 
 /// A scene knows one camera: that of the view shown, or of the world where both are.

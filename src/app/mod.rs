@@ -84,7 +84,15 @@ pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> 
         recoveries: 0,
         trial: Trial::from_environment(),
     };
-    let outcome = event_loop.run_app(&mut app);
+    let outcome = startup::while_displayed(|| event_loop.run_app(&mut app));
+    let outcome = match outcome {
+        Ok(outcome) => outcome,
+        Err(gone) => {
+            // To clean up would be to ask the display again.
+            std::mem::forget(app);
+            return Err(gone);
+        }
+    };
     match app.error.take() {
         Some(error) => Err(error),
         None => outcome.map_err(|error| WindowError::DisplayGone(error.to_string())),

@@ -1,5 +1,9 @@
 //! Whether a window can be opened at all, and one sentence about it where it cannot.
 
+use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, resume_unwind, set_hook, take_hook};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use crate::render::GpuError;
 
 /// Why there is no window.
@@ -61,4 +65,34 @@ pub(super) fn check_display() -> Result<(), WindowError> {
 #[cfg(not(all(unix, not(target_vendor = "apple"))))]
 pub(super) fn check_display() -> Result<(), WindowError> {
     Ok(())
+}
+
+/// Runs the window. winit has no error for a display that goes away while it is asked something: it panics, and nothing
+/// of ours is asked before. That panic, and no other, becomes a sentence.
+pub(super) fn while_displayed<T>(run: impl FnOnce() -> T) -> Result<T, WindowError> {
+    let is_gone = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&is_gone);
+    let usual = Arc::new(take_hook());
+    let inner = Arc::clone(&usual);
+    set_hook(Box::new(move |info| {
+        if is_broken_connection(info) {
+            flag.store(true, Ordering::Relaxed);
+        } else {
+            inner(info);
+        }
+    }));
+    let outcome = catch_unwind(AssertUnwindSafe(run));
+    set_hook(Box::new(move |info| usual(info)));
+    match outcome {
+        Ok(outcome) => Ok(outcome),
+        Err(_) if is_gone.load(Ordering::Relaxed) => {
+            Err(WindowError::DisplayGone("the connection to it broke".to_owned()))
+        }
+        Err(panic) => resume_unwind(panic),
+    }
+}
+
+fn is_broken_connection(info: &PanicHookInfo<'_>) -> bool {
+    let is_windowing = info.location().is_some_and(|location| location.file().contains("winit"));
+    is_windowing && info.payload_as_str().is_some_and(|text| text.contains("Connection(") || text.contains("IoError"))
 }

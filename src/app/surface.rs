@@ -10,7 +10,7 @@ use crate::render::Gpu;
 /// The window's surface with its configuration.
 #[derive(Debug)]
 pub(super) struct Surface {
-    surface: wgpu::Surface<'static>,
+    inner: wgpu::Surface<'static>,
     config: wgpu::SurfaceConfiguration,
     /// Faults since the last frame that was had.
     faults: u32,
@@ -53,7 +53,7 @@ impl Surface {
         config.present_mode = wgpu::PresentMode::AutoVsync;
         config.desired_maximum_frame_latency = 1;
         surface.configure(&gpu.device, &config);
-        Ok(Self { surface, config, faults: 0 })
+        Ok(Self { inner: surface, config, faults: 0 })
     }
 
     /// Format of the frames.
@@ -79,13 +79,13 @@ impl Surface {
 
     /// Configures anew.
     pub(super) fn configure(&self, gpu: &Gpu) {
-        self.surface.configure(&gpu.device, &self.config);
+        self.inner.configure(&gpu.device, &self.config);
     }
 
     /// The next frame.
     pub(super) fn acquire(&mut self, instance: &wgpu::Instance, gpu: &Gpu, window: &Arc<Window>) -> Acquired {
         use wgpu::CurrentSurfaceTexture as Current;
-        let current = self.surface.get_current_texture();
+        let current = self.inner.get_current_texture();
         match current {
             Current::Success(_) | Current::Suboptimal(_) => self.faults = 0,
             // A device that is gone shows itself as one of these, again and again.
@@ -105,7 +105,7 @@ impl Surface {
             }
             Current::Lost => {
                 if let Ok(surface) = instance.create_surface(Arc::clone(window)) {
-                    self.surface = surface;
+                    self.inner = surface;
                     self.configure(gpu);
                 }
                 Acquired::Again

@@ -73,7 +73,7 @@ fn moments_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let Some(mut moments) = moments_of(look).moments else { return };
     let largest = moments.iter().copied().fold(0.0, f64::max);
     // Only the ratios of the moments matter for the motion: the sliders' range follows their size.
-    let (unit, per_unit) = if largest < 0.1 { (" g m²", 1e3) } else { (" kg m²", 1.0) };
+    let (unit, per_unit) = if largest < 1.0 { (" g m²", 1e3) } else { (" kg m²", 1.0) };
     let scale = 10f64.powi((largest * per_unit).log10().ceil() as i32);
     let mut changed = false;
     for (moment, label) in moments.iter_mut().zip(["about x", "about y", "about z"]) {

@@ -34,8 +34,8 @@ pub(super) fn show(ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             ui.label(
                 "Mouse: drag to orbit, right or Shift drag to pan, wheel to zoom, click the sphere for a new start.",
             );
-            ui.label("Keyboard alone: F6, then Tab and Shift+Tab from one to the next, arrows to slide,");
-            ui.label("Space or Enter to press or to type a number, Esc to leave.");
+            ui.label("Keyboard alone: F6, then Tab and Shift+Tab (or arrows) from one to the next, arrows to slide,");
+            ui.label("digits to type a number, Space or Enter to press, Esc to leave; F6 again comes back to the same place.");
         });
     if !open {
         commands.push(Command::ToggleHelp);

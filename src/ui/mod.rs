@@ -51,6 +51,8 @@ pub struct Panels {
     tab: Tab,
     /// Whether the keyboard's focus is to move into the panel.
     focus_wanted: bool,
+    /// What had it last.
+    last_focus: Option<egui::Id>,
 }
 
 impl Panels {
@@ -84,6 +86,10 @@ impl Panels {
         if look.shown.help {
             help::show(ui, look, &mut commands);
         }
+        if let Some(focused) = ui.memory(egui::Memory::focused) {
+            self.last_focus = Some(focused);
+            focus_ring(ui, focused);
+        }
         Outcome { commands, picture }
     }
 
@@ -97,7 +103,9 @@ impl Panels {
                 ui.set_max_width(ui.available_width() - 10.0);
                 let title = scene_picker(ui, look, commands);
                 if std::mem::take(&mut self.focus_wanted) {
-                    title.request_focus();
+                    // Back to where it was, as after a number typed; else to the beginning.
+                    let last = self.last_focus.filter(|last| ui.ctx().read_response(*last).is_some());
+                    ui.memory_mut(|memory| memory.request_focus(last.unwrap_or(title.id)));
                 }
                 let tabs = [
                     (Tab::Motion, "Motion", "The body and how it starts"),
@@ -157,6 +165,14 @@ fn footer(ui: &mut Ui, commands: &mut Vec<Command>) {
             }
         }
     });
+}
+
+/// A ring around what has the keyboard, over whatever colour it has.
+fn focus_ring(ui: &Ui, focused: egui::Id) {
+    let Some(response) = ui.ctx().read_response(focused) else { return };
+    let color = style::warning(ui.visuals().dark_mode);
+    let painter = ui.ctx().layer_painter(egui::LayerId::new(egui::Order::Tooltip, egui::Id::unique("focus ring")));
+    painter.rect_stroke(response.rect.expand(2.0), 7.0, egui::Stroke::new(2.5, color), egui::StrokeKind::Outside);
 }
 
 /// A sentence at the foot of the picture, for a while.

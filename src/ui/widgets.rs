@@ -7,7 +7,9 @@ use super::numbers::{significant, trimmed};
 /// Width of the labels in front of sliders (points).
 const LABEL_WIDTH: f32 = 56.0;
 /// Width of the numbers behind them (points).
-const VALUE_WIDTH: f32 = 92.0;
+const VALUE_WIDTH: f32 = 100.0;
+/// Most characters that fit there.
+const VALUE_CHARACTERS: usize = 12;
 
 /// A label, a slider and a number with its unit, in one line.
 #[derive(Clone, Copy, Debug)]
@@ -48,25 +50,42 @@ impl NumberRow<'_> {
             }
             let slid = ui.add(slider).labelled_by(label.id).on_hover_text(self.hint);
             let speed = if self.logarithmic.is_some() { value.abs().max(1e-9) * 0.01 } else { (high - low) / 500.0 };
+            let before = *value;
             let number = DragValue::new(value)
+                .update_while_editing(false)
                 .range(low..=high)
                 .clamp_existing_to_range(false)
                 .speed(speed)
                 .suffix(self.unit)
-                .custom_formatter(|number, _| trimmed(&significant(number, 4)).to_owned())
+                .custom_formatter(|number, _| fitting(number, self.unit))
                 .custom_parser(|text| text.replace('−', "-").replace(',', ".").parse().ok());
-            let typed = ui
+            let mut typed = ui
                 .allocate_ui_with_layout(
                     vec2(VALUE_WIDTH, ui.spacing().interact_size.y),
                     Layout::centered_and_justified(egui::Direction::LeftToRight),
-                    |ui| ui.add(number),
+                    |ui| {
+                        ui.spacing_mut().button_padding.x = 4.0;
+                        ui.add(number)
+                    },
                 )
                 .inner
                 .labelled_by(label.id);
+            // A number that was only visited keeps the digits that are not shown.
+            if typed.changed() && !typed.dragged() && fitting(*value, self.unit) == fitting(before, self.unit) {
+                *value = before;
+                typed.flags.remove(egui::response::Flags::CHANGED);
+            }
             slid | typed
         })
         .inner
     }
+}
+
+/// A number with as many digits, four at most, as fit beside the slider with their unit.
+fn fitting(number: f64, unit: &str) -> String {
+    let room = VALUE_CHARACTERS.saturating_sub(unit.chars().count());
+    let written = |digits| trimmed(&significant(number, digits)).to_owned();
+    [4, 3, 2].map(written).into_iter().find(|text| text.chars().count() <= room).unwrap_or_else(|| written(1))
 }
 
 /// Buttons side by side of which one is chosen; gives the one that was clicked.
@@ -104,4 +123,17 @@ pub(super) fn note(ui: &mut Ui, text: impl Into<String>) {
 pub(super) fn slider_track(row: egui::Rect) -> egui::Rect {
     let right = row.right() - VALUE_WIDTH - 8.0;
     egui::Rect::from_min_max(row.min, egui::pos2(right, row.bottom())).shrink2(vec2(row.height() / 2.5, 0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fitting;
+
+    #[test]
+    fn a_number_keeps_within_its_room() {
+        assert_eq!(fitting(0.017_014, " kg m²"), "0.017");
+        assert_eq!(fitting(17.014, " g m²"), "17.01");
+        assert_eq!(fitting(12.34, " rad/s"), "12.34");
+        assert_eq!(fitting(0.0, "°"), "0");
+    }
 }
