@@ -56,7 +56,9 @@ pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]
             let aspect = session.picture_size.x / session.picture_size.y;
             let frame = objects::build_frame(&session.sim, &session.scene.view, &session.cameras, aspect);
             if let Some((target, size)) = compose.target() {
-                Renderer::new(gpu).render(gpu, &frame, target, [size.0, size.1], output.pixels_per_point);
+                // The frame scales its texts itself.
+                let point = output.pixels_per_point / frame.font_scale;
+                Renderer::new(gpu).render(gpu, &frame, target, [size.0, size.1], point);
             }
         }
         let painted = Painted {

@@ -9,7 +9,7 @@ use crate::camera::NEAR;
 use crate::frame::{Dash, Frame, Line, Point, View};
 
 /// From the rim of the view (points).
-const MARGIN: f32 = 14.0;
+pub(super) const MARGIN: f32 = 14.0;
 /// Height of a row in heights of its text.
 const ROW: f32 = 1.35;
 /// Length of a sample and the gap after it (points).

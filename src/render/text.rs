@@ -140,7 +140,12 @@ impl Texts {
     fn lay_out_notes(&mut self, view: &View, pixels: Vec2, point: f32) -> Vec<(TextLine, Vec2, Color)> {
         let rows = notes::rows(view, pixels, point).into_iter().zip(&view.notes);
         rows.map(|(row, note)| {
-            let line = self.glyphs.lay_out(&note.text, note.size * point);
+            let mut line = self.glyphs.lay_out(&note.text, note.size * point);
+            // A row that is too long is set smaller.
+            let room = pixels.x - row.x - notes::MARGIN * point;
+            if line.extent[0] > room {
+                line = self.glyphs.lay_out(&note.text, note.size * point * (room / line.extent[0]).max(0.3));
+            }
             let low = (row - Vec2::new(0.0, 0.5 * line.extent[1])).round();
             (line, low, note.color)
         })

@@ -134,7 +134,8 @@ impl Panels {
 fn scene_picker(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) -> egui::Response {
     let title = look.open.and_then(|open| look.titles.get(open)).map_or(look.scene.file.title.as_str(), String::as_str);
     let text = RichText::new(if title.is_empty() { "Own scene" } else { title }).size(18.0).strong();
-    let combo = ComboBox::from_id_salt("scene").width(ui.available_width()).height(420.0).selected_text(text);
+    let combo =
+        ComboBox::from_id_salt("scene").width(ui.available_width()).height(420.0).truncate().selected_text(text);
     let shown = combo.show_ui(ui, |ui| {
         for (index, title) in look.titles.iter().enumerate() {
             if ui.selectable_label(look.open == Some(index), title).clicked() {
