@@ -86,13 +86,17 @@ pub(super) fn while_displayed<T>(run: impl FnOnce() -> T) -> Result<T, WindowErr
     match outcome {
         Ok(outcome) => Ok(outcome),
         Err(_) if is_gone.load(Ordering::Relaxed) => {
-            Err(WindowError::DisplayGone("the connection to it broke".to_owned()))
+            Err(WindowError::DisplayGone("the connection to it broke, or it took the window away".to_owned()))
         }
         Err(panic) => resume_unwind(panic),
     }
 }
 
+/// The connection broke, or the window was destroyed by someone else, which every request about it then trips over.
 fn is_broken_connection(info: &PanicHookInfo<'_>) -> bool {
     let is_windowing = info.location().is_some_and(|location| location.file().contains("winit"));
-    is_windowing && info.payload_as_str().is_some_and(|text| text.contains("Connection(") || text.contains("IoError"))
+    is_windowing
+        && info
+            .payload_as_str()
+            .is_some_and(|text| text.contains("Connection(") || text.contains("IoError") || text.contains("X11Error"))
 }

@@ -35,8 +35,8 @@ const FORMS: [(Mark, &str); 11] = [
 
 /// The shader after the numbers of the marks, which it names.
 pub(super) fn source() -> String {
-    let numbers: String = FORMS.iter().map(|(mark, name)| format!("const {name} = {}u;\n", *mark as u8)).collect();
-    numbers + include_str!("../../shaders/point.wgsl")
+    let numbers: Vec<String> = FORMS.iter().map(|(mark, name)| format!("const {name} = {}u;\n", *mark as u8)).collect();
+    numbers.concat() + include_str!("../../shaders/point.wgsl")
 }
 
 /// Draws the points of a frame.

@@ -71,7 +71,7 @@ impl Charts {
             )
             .y_grid_spacer(egui_plot::uniform_grid_spacer(|_| [20.0, 10.0, 5.0]))
             .legend(
-                Legend::default().position(Corner::LeftTop).background_alpha(0.6).text_style(egui::TextStyle::Small),
+                Legend::default().position(Corner::RightTop).background_alpha(0.6).text_style(egui::TextStyle::Small),
             )
             .show(ui, |plot| {
                 for (index, method) in runners.iter().enumerate() {

@@ -78,7 +78,7 @@ pub(super) fn errors(ui: &mut Ui, look: &Look<'_>) {
     Grid::new("errors").num_columns(4).spacing([6.0, 4.0]).min_col_width(46.0).show(ui, |ui| {
         ui.label("");
         for head in ["energy", "L", "attitude"] {
-            ui.label(RichText::new(head).small().weak());
+            cell(ui, RichText::new(head).small().weak());
         }
         ui.end_row();
         for runner in std::iter::once(look.sim.main()).chain(look.sim.ghosts()) {
@@ -89,7 +89,7 @@ pub(super) fn errors(ui: &mut Ui, look: &Look<'_>) {
                 ui.add(name).on_hover_text(runner.method().label);
             });
             for error in [errors.energy.abs(), errors.momentum, errors.attitude] {
-                ui.label(RichText::new(numbers::scientific_short(error)).monospace().size(12.5));
+                cell(ui, RichText::new(numbers::scientific_short(error)).size(13.0));
             }
             ui.end_row();
         }
@@ -99,6 +99,11 @@ pub(super) fn errors(ui: &mut Ui, look: &Look<'_>) {
             ui.label(RichText::new(failure.to_string()).small().color(style::warning(is_dark)));
         }
     }
+}
+
+/// A text at the right end of its column.
+fn cell(ui: &mut Ui, text: RichText) {
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(text));
 }
 
 fn line(ui: &mut Ui, name: &str, value: &str) {
