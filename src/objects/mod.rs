@@ -70,7 +70,7 @@ pub static OBJECTS: &[Object] = &[
     object("momentum", "Angular momentum L", Space::World, true, vectors::momentum),
     object("omega", "Angular velocity ω", Space::World, true, vectors::angular_velocity),
     object("world-notes", "Words under the world", Space::World, true, notes::world),
-    object("sphere", "Sphere |M| = ℓ", Space::Body, true, surfaces::sphere),
+    object("sphere", "Sphere |M| = |L|", Space::Body, true, surfaces::sphere),
     object("ellipsoid", "Energy ellipsoid", Space::Body, true, surfaces::ellipsoid),
     object("axes", "Principal axes", Space::Body, true, axes::axes),
     object("level-sets", "Levels of the energy", Space::Body, true, level_sets::draw),

@@ -5,7 +5,7 @@ use crate::frame::{Dash, Mark, Note, Sample, View};
 use crate::physics::Method;
 use crate::scene::Layout;
 
-const SIZE: f32 = 19.0;
+const CAPTION_SIZE: f32 = 20.0;
 /// Of the rows of the legend, which may be many.
 const LEGEND_SIZE: f32 = 17.0;
 
@@ -26,8 +26,8 @@ pub(super) fn body(context: &Context<'_>, view: &mut View) {
 }
 
 fn caption(context: &Context<'_>, view: &mut View, text: &str) {
-    let color = context.palette.ink.alpha(0.85);
-    view.notes.push(Note { text: text.to_owned(), size: SIZE, color, sample: None });
+    let color = context.palette.ink;
+    view.notes.push(Note { text: text.to_owned(), size: CAPTION_SIZE, color, sample: None });
 }
 
 /// A row a method, the scene's own first.

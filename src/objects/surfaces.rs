@@ -19,7 +19,7 @@ pub(super) fn sphere(context: &Context<'_>, view: &mut View) {
     add(view, Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, Vec3::ONE, color));
     // Its name stands where it is farthest outside the ellipsoid.
     let semi_axes = single(semi_axes(context));
-    label(view, "|M| = ℓ", color, |direction| (-support(semi_axes, direction).dot(direction), direction));
+    label(view, "|M| = |L|", color, |direction| (-support(semi_axes, direction).dot(direction), direction));
 }
 
 /// ½ Σ Mᵢ²/Iᵢ = K: semi-axes √(2K Iᵢ).

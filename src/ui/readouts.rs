@@ -61,7 +61,7 @@ fn stays(drift: f64) -> (String, bool) {
     if size == 0.0 {
         ("stays the same, exactly".to_owned(), true)
     } else if size < STEADY {
-        (format!("stays the same, to {} of it", numbers::scientific_short(size)), true)
+        (format!("stays the same to {:.0} digits", (-size.log10()).floor()), true)
     } else if size < FRAME {
         (format!("drifts: off by {} of it", numbers::scientific_short(size)), false)
     } else {

@@ -134,26 +134,24 @@ fn energy(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     // ℓ²/2Iᵢ, the energies of the three pure spins.
     let [most, middle, least] = moments.to_array().map(|moment| ell / moment * ell * 0.5);
     let now = look.scene.start.energy(body);
-    // In per cent of the way, so that every body has the same slider.
-    let percent = |energy: f64| (energy - least) / (most - least) * 100.0;
-    let mut value = percent(now);
+    let mut value = now;
     let row = NumberRow {
         label: "energy",
-        unit: " %",
-        range: (0.0, 100.0),
+        unit: " J",
+        range: (least, most),
         logarithmic: None,
-        hint: "Energy at this momentum: 0 % is the spin about axis 3, 100 % about axis 1; the tick is the separatrix",
+        hint: "Energy K at this momentum: least for the spin about axis 3, most about axis 1; the tick is the separatrix",
     };
     let response = row.ui(ui, &mut value);
     if response.changed() {
-        commands.push(Command::SetEnergy(least + value.clamp(0.0, 100.0) / 100.0 * (most - least)));
+        commands.push(Command::SetEnergy(value.clamp(least, most)));
     }
     let slider = super::widgets::slider_track(response.rect);
-    let x = slider.left() + (percent(middle) / 100.0) as f32 * slider.width();
+    let x = slider.left() + ((middle - least) / (most - least)) as f32 * slider.width();
     let color = super::style::warning(ui.visuals().dark_mode);
     ui.painter().vline(x, slider.y_range().shrink(3.0), Stroke::new(2.0, color));
     // Below the tick, kept within the row.
     let (_, space) = ui.allocate_space(egui::vec2(ui.available_width(), 10.0));
     let place = egui::pos2(x.clamp(slider.left() + 26.0, slider.right() - 26.0), space.top() - 7.0);
-    ui.painter().text(place, Align2::CENTER_TOP, "separatrix", FontId::proportional(13.5), color);
+    ui.painter().text(place, Align2::CENTER_TOP, "separatrix", FontId::proportional(14.5), color);
 }

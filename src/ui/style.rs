@@ -30,7 +30,7 @@ pub fn install(ctx: &Context) {
     for theme in [egui::Theme::Dark, egui::Theme::Light] {
         ctx.style_mut_of(theme, |style| {
             style.text_styles = [
-                (TextStyle::Small, FontId::new(13.5, FontFamily::Proportional)),
+                (TextStyle::Small, FontId::new(14.5, FontFamily::Proportional)),
                 (TextStyle::Body, FontId::new(15.0, FontFamily::Proportional)),
                 (TextStyle::Button, FontId::new(15.0, FontFamily::Proportional)),
                 (TextStyle::Heading, FontId::new(20.0, FontFamily::Proportional)),
