@@ -55,20 +55,19 @@ pub(super) fn plane(context: &Context<'_>, view: &mut View) {
     let ink = context.palette.ink;
     disc(view, centre, Mat2::from_diagonal(Vec2::splat(PLANE_RADIUS)), |_| ink.alpha(0.05));
     view.lines.push(Line::new(circle(centre, PLANE_RADIUS), 1.4, ink.alpha(0.5)));
+    let anchor = centre + nearside(view) * PLANE_RADIUS;
+    name(view, "invariable plane", anchor, Vec2::new(0.4, -1.0), ink.alpha(0.8), false);
+}
+
+/// The level direction towards the lower right of the picture.
+fn nearside(view: &View) -> Vec3 {
     let (right, _, forward) = view.camera.axes();
-    let near = Vec2::new(right.x - forward.x, right.y - forward.y).normalize_or(Vec2::X) * PLANE_RADIUS;
-    let (anchor, toward) = (centre + near.extend(0.0), Vec2::new(0.4, -1.0));
-    let text = "invariable plane".to_owned();
-    view.labels.push(Label {
-        anchor,
-        toward,
-        gap: 5.0,
-        text,
-        size: 19.0,
-        color: ink.alpha(0.8),
-        priority: 1,
-        moves: false,
-    });
+    Vec2::new(right.x - forward.x, right.y - forward.y).normalize_or(Vec2::X).extend(0.0)
+}
+
+fn name(view: &mut View, text: &str, anchor: Vec3, toward: Vec2, color: Color, moves: bool) {
+    let text = text.to_owned();
+    view.labels.push(Label { anchor, toward, gap: 6.0, text, size: 19.0, color, priority: 1, moves });
 }
 
 /// Poinsot's ellipsoid ½ ω·Iω = K, semi-axes √(2K/Iᵢ): it rolls on the plane without slipping.
@@ -87,6 +86,13 @@ pub(super) fn rolling_ellipsoid(context: &Context<'_>, view: &mut View) {
     let color = context.palette.polhode;
     let curve = poinsot::angular_velocity_polhode(body, state.body_momentum, super::polhode::POINTS);
     let points = curve.into_iter().map(|omega| world_from_body * single(omega * -context.per_radian()));
+    let points: Vec<Vec3> = points.collect();
+    let (right, up, _) = view.camera.axes();
+    let fitness = |point: &Vec3| point.dot(up) + 0.5 * point.dot(right);
+    let is_line = points.iter().any(|point| point.distance(points[0]) > 0.05);
+    if let Some(&anchor) = points.iter().filter(|_| is_line).max_by(|a, b| fitness(a).total_cmp(&fitness(b))) {
+        name(view, "polhode", anchor, Vec2::new(1.0, 0.5), color, true);
+    }
     view.lines.push(Line::new(points, 3.0, color).through(0.6));
     let position = -context.world_angular_velocity(state.world_angular_velocity(body));
     let rim = context.palette.background;
@@ -114,6 +120,13 @@ pub(super) fn herpolhode(context: &Context<'_>, view: &mut View) {
         }
     }
     view.lines.push(Line { points, ..Line::new([], 2.2, color).through(0.6) });
+    // Its name stands at the outer circle of its annulus, which does not move.
+    let (_, outer) = poinsot::herpolhode_radii(body, simulation.state().body_momentum);
+    let radius = (outer * context.per_radian()) as f32;
+    if radius > 0.02 && radius < PLANE_RADIUS {
+        let anchor = Vec3::new(0.0, 0.0, -context.plane_height()) + nearside(view) * radius;
+        name(view, "herpolhode", anchor, Vec2::new(1.0, -0.3), color, false);
+    }
 }
 
 /// The two circles that the herpolhode touches in turn.
