@@ -39,8 +39,8 @@ fn coverage(texel: vec2f, box: vec4f) -> f32 {
 fn fragment(in: Corner) -> @location(0) vec4f {
     var cover = coverage(in.texel, in.box);
     if in.halo > 0.0 {
-        for (var i = 0; i < 12; i += 1) {
-            let angle = f32(i) * 0.5236;
+        for (var i = 0; i < 8; i += 1) {
+            let angle = f32(i) * 0.7854;
             let away = vec2f(cos(angle), sin(angle)) * in.halo;
             cover = max(cover, 0.6 * coverage(in.texel + away, in.box));
             cover = max(cover, coverage(in.texel + 0.6 * away, in.box));

@@ -9,9 +9,9 @@ use crate::physics::{Body, poinsot};
 
 /// Paths round each stable pole.
 const PATHS: u32 = 3;
-const POINTS: usize = 180;
-/// A third of a pixel in a picture 2160 pixels high.
-const TOLERANCE: f32 = 4e-4;
+const POINTS: usize = 120;
+/// Less than a pixel in a picture 2160 pixels high: these lines are faint, and each point is paid for where there is no GPU.
+const TOLERANCE: f32 = 1e-3;
 
 pub(super) fn draw(context: &Context<'_>, view: &mut View) {
     let body = context.simulation.body();

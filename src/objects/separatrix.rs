@@ -6,7 +6,7 @@ use super::Context;
 use crate::frame::{Dash, Label, Line, View};
 use crate::physics::poinsot;
 
-const POINTS: usize = 129;
+const POINTS: usize = 97;
 const DASH: f32 = 0.075;
 
 pub(super) fn draw(context: &Context<'_>, view: &mut View) {
