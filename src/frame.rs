@@ -283,8 +283,7 @@ pub struct Point {
     pub moves: bool,
 }
 
-/// A text beside a point of the scene. Labels avoid each other and stay in the picture; those of higher
-/// priority choose first.
+/// A text beside a point of the scene. Labels stay in the picture, and those that stand still avoid each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     /// What is labelled, in the view's world.
@@ -299,9 +298,9 @@ pub struct Label {
     pub size: f32,
     /// Its colour.
     pub color: Color,
-    /// Higher ones choose their places first.
+    /// Higher ones choose their places first, and others fade where they come near.
     pub priority: i32,
-    /// Follows the motion. Labels that do not choose first and heed no moving marks: they stand still while time runs.
+    /// Follows the motion, and stays in its wanted direction; labels that do not stand still while time runs.
     pub moves: bool,
 }
 

@@ -52,6 +52,12 @@ impl Pane {
         (self.corner + place * self.extent, self.camera.eye().dot(point) >= 0.999)
     }
 
+    /// The pixel of a momentum (principal components) on the sphere, where the sphere does not hide it.
+    pub(super) fn near_side(&self, momentum: DVec3) -> Option<Pixels> {
+        let (at, is_near) = self.project(momentum.normalize_or_zero().as_vec3());
+        (is_near && at.is_finite()).then_some(at)
+    }
+
     /// What a start at this point of the sphere (principal axes) would be.
     pub(super) fn preview(&self, body: &Body, at: Vec3) -> Preview {
         let momentum = body.body_from_principal() * at.as_dvec3();

@@ -18,6 +18,9 @@ pub(super) struct ListArguments {
     /// Write JSON
     #[arg(long)]
     pub(super) json: bool,
+    /// Say nothing but errors: nothing else is said besides the list
+    #[arg(long = "quiet")]
+    _quiet: bool,
 }
 
 pub(super) fn scenes(arguments: &ListArguments) -> Result<(), Failure> {

@@ -23,17 +23,30 @@ pub(super) fn axes(context: &Context<'_>, view: &mut View) {
     }
 }
 
-/// The way of the axis that the body was started about, over the last two flips.
+/// The way of the axis that the body was started about.
 pub(super) fn trail(context: &Context<'_>, view: &mut View) {
+    let start = context.body_momentum(context.simulation.scene().start.body_momentum);
+    trail_of(start.abs().max_position(), context, view);
+}
+
+/// The way of axis `NUMBER`, counted from 0.
+pub(super) fn trail_of_axis<const NUMBER: usize>(context: &Context<'_>, view: &mut View) {
+    trail_of(NUMBER, context, view);
+}
+
+/// The way of an axis over the last two flips.
+fn trail_of(number: usize, context: &Context<'_>, view: &mut View) {
     let simulation = context.simulation;
     if context.unit_momentum().is_none() {
         return;
     }
-    let start = context.body_momentum(simulation.scene().start.body_momentum);
-    let number = start.abs().max_position();
     let color = context.palette.axes[number];
     let first = Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, Vec3::splat(REACH), context.palette.ink.alpha(0.035));
-    view.quadrics.push(QuadricPair { first, second: None, hollow: true });
+    let sphere = QuadricPair { first, second: None, hollow: true };
+    // One sphere carries the trails of all axes.
+    if !view.quadrics.contains(&sphere) {
+        view.quadrics.push(sphere);
+    }
     let motion = Motion::new(simulation.body(), simulation.state());
     let points = (0..=TRAIL_POINTS).map(|n| {
         let part = f64::from(n) / f64::from(TRAIL_POINTS);

@@ -1,4 +1,6 @@
-//! Where the labels of a view go: beside what they name, clear of each other and inside the view.
+//! Where the labels of a view go: beside what they name and inside the view. Those that stand still keep clear of each
+//! other. Those that move stay where they want to be, since a label that jumps aside draws the eye; what they pass gives
+//! way to them, or they to it, by fading.
 
 use glam::{Vec2, Vec4};
 
@@ -10,6 +12,20 @@ use crate::frame::{Label, View};
 const CLEARANCE: f32 = 5.0;
 /// How much a label gives to stay near its wanted direction, against covering a mark.
 const MARK_COST: f32 = 1.5;
+
+/// Distance (points) at which a label begins to fade before a more important one.
+const FADES_WITHIN: f32 = 12.0;
+/// Opacity of one that is covered.
+const FADED: f32 = 0.12;
+
+/// Where a label stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// Its top left corner, in pixels of the view.
+    pub(super) low: Vec2,
+    /// Factor on its opacity.
+    pub(super) opacity: f32,
+}
 
 /// A rectangle in pixels of the view, y down.
 #[derive(Clone, Copy, Debug)]
@@ -26,10 +42,15 @@ impl Box2 {
     fn meets(&self, other: &Self) -> bool {
         self.low.cmplt(other.high).all() && other.low.cmplt(self.high).all()
     }
+
+    /// Width of the gap between two; 0 where they meet.
+    fn gap(&self, other: &Self) -> f32 {
+        (other.low - self.high).max(self.low - other.high).max(Vec2::ZERO).length()
+    }
 }
 
-/// Places the labels, given each one's width and height in pixels and what else stands in the view: the top left corners, none for a label that is
-/// out of sight or finds no room.
+/// Places the labels, given each one's width and height in pixels and what else stands in the view; none for a label
+/// that is out of sight or finds no room.
 pub(super) fn place(
     view: &View,
     uniform: &ViewUniform,
@@ -37,54 +58,69 @@ pub(super) fn place(
     notes: &[Box2],
     pixels: Vec2,
     point: f32,
-) -> Vec<Option<Vec2>> {
+) -> Vec<Option<Place>> {
     let project = |position: glam::Vec3| {
         let clip: Vec4 = uniform.clip_from_world * position.extend(1.0);
         let ndc = Vec2::new(clip.x, clip.y) / clip.w;
         (clip.w > NEAR && ndc.abs().max_element() <= 1.0).then(|| (ndc * Vec2::new(0.5, -0.5) + 0.5) * pixels)
     };
-    let marks = view.points.iter().map(|mark| (mark.position, 0.5 * mark.size, mark.moves));
+    let marks = view.points.iter().filter(|mark| !mark.moves).map(|mark| (mark.position, 0.5 * mark.size));
     // Straight strokes, as axes are, count by some places along them.
     let strokes = view.lines.iter().filter(|line| line.points.len() == 2).flat_map(|line| {
         let [from, to] = [line.points[0].position, line.points[1].position];
-        [0.1, 0.35, 0.6, 0.85].map(|part| (from.lerp(to, part), line.width, false))
+        [0.1, 0.35, 0.6, 0.85].map(|part| (from.lerp(to, part), line.width))
     });
-    let marks: Vec<(Box2, bool)> = marks
+    let marks: Vec<Box2> = marks
         .chain(strokes)
-        .filter_map(|(position, half, moves)| {
-            Some((Box2::around(project(position)?, Vec2::splat(half * point)), moves))
-        })
+        .filter_map(|(position, half)| Some(Box2::around(project(position)?, Vec2::splat(half * point))))
         .collect();
     let mut order: Vec<usize> = (0..view.labels.len().min(extents.len())).collect();
     order.sort_by_key(|&number| (view.labels[number].moves, std::cmp::Reverse(view.labels[number].priority)));
     let mut taken: Vec<Box2> = notes.to_vec();
-    let mut places = vec![None; view.labels.len()];
+    let mut places: Vec<Option<Box2>> = vec![None; view.labels.len()];
     for number in order {
         let label = &view.labels[number];
         let Some(anchor) = project(label.anchor) else { continue };
         let half = 0.5 * extents[number];
+        let kept_inside = |centre: Vec2| {
+            let rim = half + CLEARANCE * point;
+            centre.clamp(rim.min(0.5 * pixels), (pixels - rim).max(0.5 * pixels))
+        };
+        if label.moves {
+            let wanted = candidates(label, anchor, half, point).next();
+            places[number] = wanted.map(|(centre, _)| Box2::around(kept_inside(centre), half));
+            continue;
+        }
         let best = candidates(label, anchor, half, point)
             .filter_map(|(centre, cost)| {
-                let inside = centre.clamp(
-                    (half + CLEARANCE * point).min(0.5 * pixels),
-                    (pixels - half - CLEARANCE * point).max(0.5 * pixels),
-                );
+                let inside = kept_inside(centre);
                 let own = Box2::around(inside, half + 0.5 * CLEARANCE * point);
                 if taken.iter().any(|other| own.meets(other)) {
                     return None;
                 }
-                let heeded = marks.iter().filter(|(_, moves)| label.moves || !moves);
-                let covered = heeded.filter(|(mark, _)| own.meets(mark)).count() as f32;
+                let covered = marks.iter().filter(|mark| own.meets(mark)).count() as f32;
                 let pushed = inside.distance(centre) / (20.0 * point);
                 Some((inside, cost + pushed + MARK_COST * covered))
             })
             .min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((centre, _)) = best {
             taken.push(Box2::around(centre, half + 0.5 * CLEARANCE * point));
-            places[number] = Some((centre - half).round());
+            places[number] = Some(Box2::around(centre, half));
         }
     }
-    places
+    let opacity = |number: usize, own: &Box2| {
+        let label = &view.labels[number];
+        let others = view.labels.iter().zip(&places).filter_map(|(other, place)| Some((other, (*place)?)));
+        others
+            .filter(|(other, _)| (other.moves || label.moves) && other.priority > label.priority)
+            .map(|(_, place)| own.gap(&place) / (FADES_WITHIN * point))
+            .fold(1.0, f32::min)
+            .max(FADED)
+    };
+    let stand = |(number, place): (usize, &Option<Box2>)| {
+        place.as_ref().map(|own| Place { low: own.low.round(), opacity: opacity(number, own) })
+    };
+    places.iter().enumerate().map(stand).collect()
 }
 
 /// Centres to try, each with what it costs: turned away from the wanted direction, and farther out.

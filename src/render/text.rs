@@ -118,7 +118,9 @@ impl Texts {
             let taken: Vec<Box2> = notes.iter().map(|(line, low, _)| box_of(line, *low)).collect();
             let places = labels::place(view, uniform, &extents, &taken, pixels, point);
             let placed = view.labels.iter().zip(&lines).zip(&places);
-            let placed = placed.filter_map(|((label, line), place)| Some((line, (*place)?, label.color)));
+            let placed = placed.filter_map(|((label, line), place)| {
+                place.map(|place| (line, place.low, label.color.fade(place.opacity)))
+            });
             let texts: Vec<_> = placed.chain(notes.iter().map(|(line, low, color)| (line, *low, *color))).collect();
             for (radius, ink) in [(HALO * point, false), (0.0, true)] {
                 for &(line, place, own) in &texts {

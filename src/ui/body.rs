@@ -9,6 +9,8 @@ use crate::scene::{BodyFile, SceneFile};
 
 /// Shortest and longest edge that the sliders reach (m).
 const EDGES: (f64, f64) = (0.01, 0.5);
+/// Longest edge (m) of a box that is made from moments.
+const MADE_EDGE: f64 = 0.3;
 
 /// How the body is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -114,7 +116,7 @@ fn given(body: &BodyFile) -> Option<Given> {
     }
 }
 
-/// The body as a box: as the scene gives it, or the solid box of the same moments.
+/// The body as a box: as the scene gives it, or the solid box of the same moments, of such a mass that its edges are handy.
 fn edges_of(look: &Look<'_>) -> BodyFile {
     let body = &look.scene.file.body;
     if body.edges.is_some() {
@@ -122,8 +124,11 @@ fn edges_of(look: &Look<'_>) -> BodyFile {
     }
     let along_principal = look.scene.body.equivalent_box(1.0);
     let axes = look.scene.body.body_from_principal();
-    let along_body = (axes * along_principal).abs().clamp(DVec3::splat(EDGES.0), DVec3::splat(10.0));
-    BodyFile { edges: Some(along_body.to_array()), ..BodyFile::default() }
+    let along_body = (axes * along_principal).abs();
+    // Moments go with mass times length squared.
+    let shrunk = along_body.max_element() / MADE_EDGE;
+    let edges = (along_body / shrunk).clamp(DVec3::splat(EDGES.0), DVec3::splat(EDGES.1));
+    BodyFile { edges: Some(edges.to_array()), mass: Some(shrunk * shrunk), ..BodyFile::default() }
 }
 
 /// The body by its moments about its own axes.

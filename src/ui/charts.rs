@@ -75,7 +75,7 @@ impl Charts {
             )
             .show(ui, |plot| {
                 for (index, method) in runners.iter().enumerate() {
-                    let color = (look.method_color)(method, look.view.theme);
+                    let color = look.color_of(method);
                     let pieces = look.history.pieces(|sample| {
                         let error = kind.of(sample.errors.get(index)?);
                         Some(if error > 0.0 { error.log10().max(FLOOR) } else { FLOOR })

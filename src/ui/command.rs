@@ -77,6 +77,13 @@ pub enum Command {
     SetLayout(Layout),
     /// The next of world, body, both.
     NextLayout,
+    /// Draws something, or leaves it out.
+    Show {
+        /// Its name in scene files.
+        name: &'static str,
+        /// Whether it is drawn.
+        is_shown: bool,
+    },
     /// Dark or light.
     ToggleTheme,
     /// Shows or hides the panel.

@@ -29,6 +29,12 @@ pub struct Look<'a> {
     pub axis_colors: [egui::Color32; 3],
     /// Colour of a method in the picture.
     pub method_color: fn(&Method, Theme) -> egui::Color32,
+    /// Colour of the scene's own method in the picture: that of M.
+    pub own_color: egui::Color32,
+    /// Everything that can be drawn, and whether it is.
+    pub items: fn(&View) -> Vec<Item>,
+    /// Where the tip of M is in the picture (pixels), where it can be taken hold of.
+    pub tip: Option<Pixels>,
     /// What a click on the sphere would start.
     pub preview: Option<&'a Preview>,
     /// Titles of the scenes that can be gone through.
@@ -46,10 +52,29 @@ pub struct Look<'a> {
 }
 
 impl Look<'_> {
+    /// A method's colour: as a ghost, or the body's own.
+    pub(super) fn color_of(&self, method: &Method) -> egui::Color32 {
+        let is_own = method.name == self.scene.method.name;
+        if is_own { self.own_color } else { (self.method_color)(method, self.view.theme) }
+    }
+
     /// A method's name in its colour.
     pub(super) fn method_text(&self, method: &Method) -> egui::RichText {
-        egui::RichText::new(method.label).color((self.method_color)(method, self.view.theme))
+        egui::RichText::new(method.label).color(self.color_of(method))
     }
+}
+
+/// Something that can be drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Item {
+    /// Name in scene files.
+    pub name: &'static str,
+    /// Name for people.
+    pub label: &'static str,
+    /// Drawn in the world, and not in momentum space.
+    pub is_of_world: bool,
+    /// Whether it is drawn now.
+    pub is_shown: bool,
 }
 
 /// What is shown besides the picture.

@@ -9,6 +9,7 @@ pub mod keys;
 mod look;
 mod method;
 pub mod numbers;
+mod picture;
 mod readouts;
 mod slide;
 mod spin;
@@ -21,7 +22,7 @@ mod widgets;
 use egui::{ComboBox, Frame, Margin, Panel, Rect, RichText, ScrollArea, Ui};
 
 pub use command::{Command, Pixels};
-pub use look::{Look, Preview, Shown};
+pub use look::{Item, Look, Preview, Shown};
 pub use spin::Spin;
 pub use timeline::Timeline;
 pub use transport::SPEED_POWERS;
@@ -35,12 +36,13 @@ pub struct Outcome {
     pub picture: Rect,
 }
 
-/// The two halves of the panel: few enough things at a time that nothing has to be scrolled.
+/// The parts of the panel: few enough things at a time that what is used most need not be scrolled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Tab {
     #[default]
     Motion,
     Methods,
+    Picture,
 }
 
 /// All panels.
@@ -110,6 +112,7 @@ impl Panels {
                 let tabs = [
                     (Tab::Motion, "Motion", "The body and how it starts"),
                     (Tab::Methods, "Methods", "How the motion is followed, and how well"),
+                    (Tab::Picture, "Picture", "What is drawn, and pictures and scenes to keep"),
                 ];
                 if let Some(tab) = widgets::choice(ui, Some(self.tab), &tabs) {
                     self.tab = tab;
@@ -123,8 +126,8 @@ impl Panels {
                     Tab::Methods => {
                         method::show(ui, look, commands);
                         readouts::errors(ui, look);
-                        footer(ui, commands);
                     }
+                    Tab::Picture => picture::show(ui, look, commands),
                 }
             });
         });
@@ -146,26 +149,6 @@ fn scene_picker(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) -> eg
     let name = format!("scene: {title}");
     shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &name));
     shown.response
-}
-
-/// What is done with a scene as a whole.
-fn footer(ui: &mut Ui, commands: &mut Vec<Command>) {
-    ui.add_space(10.0);
-    let buttons = [
-        ("graphs", Command::ToggleCharts),
-        ("picture", Command::Picture { transparent: false }),
-        ("copy as command", Command::CopyCommand),
-        ("save scene", Command::SaveScene),
-        ("keys", Command::ToggleHelp),
-    ];
-    ui.horizontal_wrapped(|ui| {
-        for (name, command) in buttons {
-            let hint = keys::keys_of(&command).unwrap_or(name);
-            if ui.button(name).on_hover_text(hint).clicked() {
-                commands.push(command);
-            }
-        }
-    });
 }
 
 /// A ring around what has the keyboard, over whatever colour it has.

@@ -9,6 +9,9 @@ const PREVIEW_SECONDS: f32 = 2.5;
 /// How much one point of wheel movement zooms.
 const ZOOM_PER_POINT: f32 = 0.0015;
 
+/// How near the tip of M (points) one takes hold of it.
+const GRASP: f32 = 14.0;
+
 /// Room for the words beside a previewed start (points).
 const WORDS_WIDTH: f32 = 240.0;
 
@@ -16,6 +19,8 @@ const WORDS_WIDTH: f32 = 240.0;
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Viewport {
     pointer: Option<Pixels>,
+    /// The tip of M is being dragged.
+    holds_tip: bool,
 }
 
 impl Viewport {
@@ -29,7 +34,22 @@ impl Viewport {
         let scale = ui.ctx().pixels_per_point();
         let pixels = |v: Vec2| Pixels::new(v.x, v.y) * scale;
         let within = |p: Pos2| pixels(p - rect.min);
+        let at_tip = |pointer: Pos2| look.tip.is_some_and(|tip| within(pointer).distance(tip) < GRASP * scale);
+        if response.drag_started_by(PointerButton::Primary) {
+            let origin = ui.input(|input| input.pointer.press_origin());
+            self.holds_tip = !ui.input(|input| input.modifiers.shift) && origin.is_some_and(at_tip);
+        }
+        self.holds_tip &= response.dragged();
+        if self.holds_tip {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::Grabbing);
+            if let Some(pointer) = response.interact_pointer_pos() {
+                commands.push(Command::Pick(within(pointer)));
+            }
+        } else if response.hover_pos().is_some_and(at_tip) {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::Grab);
+        }
         if response.dragged()
+            && !self.holds_tip
             && let Some(pointer) = response.interact_pointer_pos()
         {
             let by = response.drag_delta();

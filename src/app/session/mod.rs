@@ -15,7 +15,7 @@ use crate::objects::{self, Cameras, Palette, Space, areas};
 use crate::physics::Motion;
 use crate::scene::{Layout, Preset, Scene, SceneFile, Theme, View, presets};
 use crate::sim::{FlipWatch, History, Simulation};
-use crate::ui::{Command, Look, Pixels, Preview, Shown, Spin, Timeline};
+use crate::ui::{Command, Item, Look, Pixels, Preview, Shown, Spin, Timeline};
 
 /// How long a message stays.
 const MESSAGE_TIME: Duration = Duration::from_secs(4);
@@ -109,7 +109,10 @@ impl Session {
             timeline: &self.timeline,
             ground: color(Palette::new(self.scene.view.theme).background),
             axis_colors: Palette::new(self.scene.view.theme).axes.map(color),
+            own_color: color(Palette::new(self.scene.view.theme).momentum),
             method_color: |method, theme| color(objects::method_color(method, theme)),
+            items,
+            tip: self.tip(),
             preview: self.preview.as_ref(),
             titles: &self.titles,
             open: self.open,
@@ -192,6 +195,7 @@ impl Session {
                 Layout::World => Layout::Body,
                 Layout::Body => Layout::Both,
             }),
+            Command::Show { name, is_shown } => self.show_object(name, is_shown),
             Command::ToggleTheme => {
                 let theme = match self.scene.view.theme {
                     Theme::Dark => Theme::Light,
@@ -232,6 +236,20 @@ impl Session {
         self.picture_changed = true;
     }
 
+    fn show_object(&mut self, name: &'static str, is_shown: bool) {
+        let by_default = objects::object_named(name).is_some_and(|object| object.shown);
+        let lists = |show: &mut Vec<String>, hide: &mut Vec<String>| {
+            show.retain(|shown| shown != name);
+            hide.retain(|hidden| hidden != name);
+            if is_shown != by_default {
+                if is_shown { show } else { hide }.push(name.to_owned());
+            }
+        };
+        lists(&mut self.scene.view.show, &mut self.scene.view.hide);
+        lists(&mut self.scene.file.view.show, &mut self.scene.file.view.hide);
+        self.picture_changed = true;
+    }
+
     /// Moves the camera of the view under a point; it is also told that view's smaller side (pixels).
     fn move_camera(&mut self, at: Pixels, change: impl FnOnce(&mut crate::camera::Camera, f32) -> bool) {
         let size = self.picture_size;
@@ -253,6 +271,12 @@ impl Session {
         Some(Pane::new(&area, size, camera))
     }
 
+    /// Where the tip of M is in the picture, where it is on the near side of the sphere.
+    fn tip(&self) -> Option<Pixels> {
+        let axes = self.scene.body.body_from_principal();
+        self.body_pane()?.near_side(axes.transpose() * self.sim.state().body_momentum)
+    }
+
     fn hover(&mut self, at: Option<Pixels>) {
         let found = at.and_then(|at| {
             let pane = self.body_pane()?;
@@ -260,6 +284,19 @@ impl Session {
         });
         self.preview = found;
     }
+}
+
+/// Everything that can be drawn.
+fn items(view: &View) -> Vec<Item> {
+    objects::OBJECTS
+        .iter()
+        .map(|object| Item {
+            name: object.name,
+            label: object.label,
+            is_of_world: object.space == Space::World,
+            is_shown: objects::is_shown(object, view),
+        })
+        .collect()
 }
 
 /// The scenes built into the program.
