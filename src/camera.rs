@@ -10,6 +10,8 @@ pub const NEAR: f32 = 0.02;
 const HALF_FIELD: f32 = 13.0 * PI / 180.0;
 const NEAREST: f32 = 0.4;
 const FARTHEST: f32 = 60.0;
+/// Farthest that the target is panned from the middle: something stays in sight.
+const FARTHEST_TARGET: f32 = 1.5;
 /// Short of straight up or down, where `up` and the view direction would fall together.
 const STEEPEST: f32 = FRAC_PI_2 - 0.01;
 
@@ -74,7 +76,7 @@ impl Camera {
         self.azimuth = self.azimuth.rem_euclid(TAU);
         self.elevation = self.elevation.clamp(-STEEPEST, STEEPEST);
         self.distance = self.distance.clamp(NEAREST, FARTHEST);
-        self.target = self.target.clamp_length_max(FARTHEST);
+        self.target = self.target.clamp_length_max(FARTHEST_TARGET);
     }
 
     /// Where the eye is.

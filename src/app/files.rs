@@ -3,6 +3,12 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+/// What is said of a file that is held over the window.
+pub(super) fn offer(path: &Path) -> String {
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+    format!("Let go to open {name}")
+}
+
 /// Writes a new file `stem-N.extension` in the working directory, `N` the first number that is free.
 pub(super) fn write_new(stem: &str, extension: &str, bytes: &[u8]) -> Result<PathBuf, String> {
     let stem = slug(stem);

@@ -5,6 +5,7 @@
 mod command_line;
 mod compose;
 mod files;
+mod mapping;
 mod offscreen;
 mod open;
 mod pacing;
@@ -17,9 +18,11 @@ mod startup;
 mod surface;
 mod trial;
 
+use std::path::Path;
+
 use winit::application::ApplicationHandler;
 use winit::event::WindowEvent;
-use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
+use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::window::WindowId;
 
 use web_time::Instant;
@@ -47,6 +50,8 @@ pub struct WindowOptions {
     pub slides: Vec<Slide>,
     /// Makes a PNG file of a picture, transparent or not.
     pub encode_png: EncodePng,
+    /// Reads the scene of a file, or those of a folder.
+    pub read_scenes: ReadScenes,
 }
 
 /// A scene that can be gone to.
@@ -61,14 +66,15 @@ pub struct Slide {
 /// Makes a PNG file of a picture, transparent or not; or says why it could not.
 pub type EncodePng = fn(&Pixels, bool) -> Result<Vec<u8>, String>;
 
+/// Reads the scene of a file, or those of a folder, each sound; or says why not.
+pub type ReadScenes = fn(&Path) -> Result<Vec<Slide>, String>;
+
 /// Opens the window on a scene and returns when it is closed.
 ///
 /// # Errors
 /// No display, no graphics adapter, or a library missing: one sentence that says what to do about it.
 pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> {
-    startup::check_display()?;
-    let event_loop =
-        EventLoop::<Wake>::with_user_event().build().map_err(|error| WindowError::Display(error.to_string()))?;
+    let event_loop = startup::connect()?;
     let remembered = Remembered::load();
     let slides = std::mem::take(&mut options.slides);
     let mut app = App {
@@ -95,7 +101,7 @@ pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> 
     };
     match app.error.take() {
         Some(error) => Err(error),
-        None => outcome.map_err(|error| WindowError::DisplayGone(error.to_string())),
+        None => outcome.map_err(|error| startup::ended(&error)),
     }
 }
 
@@ -166,6 +172,7 @@ impl App {
 
     fn draw(&mut self, event_loop: &ActiveEventLoop) {
         let Some(window) = &mut self.window else { return };
+        window.look_around();
         if !window.is_visible() {
             return;
         }
@@ -203,6 +210,10 @@ impl App {
         for command in commands {
             let Some(request) = self.session.apply(command) else { continue };
             match request {
+                Request::Open(path) => {
+                    let outcome = (self.options.read_scenes)(&path);
+                    self.session.open_files(&path, outcome);
+                }
                 Request::FocusPanel => self.panels.take_focus(),
                 Request::ToggleFullscreen => {
                     if let Some(window) = &self.window {
@@ -265,6 +276,8 @@ impl ApplicationHandler<Wake> for App {
             WindowEvent::Moved(_) | WindowEvent::ScaleFactorChanged { .. } => {
                 self.pacer.set_refresh_rate(window.refresh_rate());
             }
+            WindowEvent::HoveredFile(path) => self.session.say(files::offer(&path)),
+            WindowEvent::HoveredFileCancelled => self.session.say_nothing(),
             WindowEvent::DroppedFile(path) => self.apply(vec![Command::OpenFile(path)]),
             _ => {}
         }

@@ -1,7 +1,7 @@
 //! The window as it would look, drawn with no window: the picture with the panels around it.
 
 use super::compose::Compose;
-use super::open::{place, zoom};
+use super::open::{picture_point, place, zoom};
 use super::remember::Remembered;
 use super::screen::{Painted, paint, upload};
 use super::session::Session;
@@ -25,7 +25,7 @@ pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]
     style::install(&context);
     style::set_theme(&context, session.scene.view.theme);
     let (wide, high) = (width as f32, height as f32);
-    let zoom = zoom(wide, high) * session.scene.view.font_scale as f32;
+    let zoom = zoom(wide, high, session.scene.view.font_scale as f32);
     context.set_zoom_factor(zoom);
     let mut panels = Panels::default();
     let canvas = Canvas::new(gpu, [width, height]);
@@ -57,7 +57,7 @@ pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]
             let frame = objects::build_frame(&session.sim, &session.scene.view, &session.cameras, aspect);
             if let Some((target, size)) = compose.target() {
                 // The frame scales its texts itself.
-                let point = output.pixels_per_point / frame.font_scale;
+                let point = picture_point(output.pixels_per_point, size) / frame.font_scale;
                 Renderer::new(gpu).render(gpu, &frame, target, [size.0, size.1], point);
             }
         }

@@ -7,25 +7,44 @@ use web_time::{Duration, Instant};
 use winit::dpi::{LogicalSize, PhysicalSize};
 use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
-use winit::window::{Fullscreen, Window};
+use winit::window::{Fullscreen, Window, WindowAttributes};
 
 use super::files;
+use super::mapping::Mapping;
 use super::remember::Remembered;
 use super::screen::{Painted, Presented, Screen};
 use super::session::Session;
 use super::{EncodePng, Wake, WindowError, WindowOptions};
 use crate::objects;
+use crate::render::point_size;
 use crate::ui::{Command, Panels, Pixels, keys, style};
 
 /// Smallest size that still holds the panels (points).
-const SMALLEST: LogicalSize<f64> = LogicalSize::new(480.0, 320.0);
+const SMALLEST: LogicalSize<f32> = LogicalSize::new(640.0, 400.0);
+
+/// What the bars of a desktop and the frame of a window take of a monitor (points).
+const BARS: f64 = 80.0;
+
+/// What desktops call the program.
+#[cfg(all(unix, not(target_vendor = "apple")))]
+const NAME: &str = "dzhanibekov";
 
 /// A wait for a repaint longer than this is one without end.
 const LONG: Duration = Duration::from_mins(10);
 
-/// How much larger than usual the panels are in a window of this size (points).
-pub(super) fn zoom(width: f32, height: f32) -> f32 {
-    (width / 1280.0).min(height / 720.0).max(1.0).powf(0.7)
+/// How much larger than usual the panels are in a window of this size (points): they grow with the window, as what is
+/// projected does, by the user's own factor too, and never past what leaves room for them.
+pub(super) fn zoom(width: f32, height: f32, own: f32) -> f32 {
+    let grown = (width / 1280.0).min(height / 720.0).max(1.0).powf(0.7) * own;
+    grown.min(width / SMALLEST.width).min(height / SMALLEST.height).max(0.4)
+}
+
+/// Pixels a point in a picture of this size (pixels), where the panels have `panels` of them: in a small picture the names
+/// are smaller than the panels' text, so that they do not cover it.
+pub(super) fn picture_point(panels: f32, (width, height): (u32, u32)) -> f32 {
+    const MOST: f32 = 2.0;
+    const LEAST: f32 = 0.6;
+    panels.min(MOST * point_size([width, height])).max(LEAST * panels)
 }
 
 /// Where the picture lies in a window of this size (pixels), from what the panels left of it (points): its corner and
@@ -44,6 +63,8 @@ pub(super) struct OpenWindow {
     egui: egui_winit::State,
     window: Arc<Window>,
     is_occluded: bool,
+    is_unmapped: bool,
+    mapping: Option<Mapping>,
     theme: Option<crate::scene::Theme>,
     title: String,
 }
@@ -75,9 +96,10 @@ impl OpenWindow {
         let attributes = if let Some([width, height]) = options.size {
             attributes.with_inner_size(PhysicalSize::new(width, height))
         } else {
-            let [width, height] = remembered.size;
-            attributes.with_inner_size(LogicalSize::new(width, height)).with_maximized(remembered.maximized)
+            let size = within_monitor(event_loop, remembered.size);
+            attributes.with_inner_size(size).with_maximized(remembered.maximized)
         };
+        let attributes = named(attributes);
         let window = event_loop.create_window(attributes).map_err(|error| WindowError::Display(error.to_string()))?;
         let window = Arc::new(window);
         let context = egui::Context::default();
@@ -88,7 +110,8 @@ impl OpenWindow {
         let screen = open_screen(&window, event_loop, options, proxy)?;
         egui.set_max_texture_side(screen.gpu().largest_side() as usize);
         window.set_visible(true);
-        Ok(Self { screen, egui, window, is_occluded: false, theme: None, title })
+        let mapping = Mapping::of(&window);
+        Ok(Self { screen, egui, window, is_occluded: false, is_unmapped: false, mapping, theme: None, title })
     }
 
     /// The window with everything on the device made anew.
@@ -98,7 +121,7 @@ impl OpenWindow {
         options: &WindowOptions,
         proxy: &EventLoopProxy<Wake>,
     ) -> Result<Self, WindowError> {
-        let Self { screen, mut egui, window, is_occluded, title, .. } = self;
+        let Self { screen, mut egui, window, is_occluded, is_unmapped, mapping, title, .. } = self;
         // A window holds one surface at a time.
         drop(screen);
         let screen = open_screen(&window, event_loop, options, proxy)?;
@@ -110,7 +133,7 @@ impl OpenWindow {
         let access = egui.accesskit.take();
         egui = egui_winit::State::new(context, egui::ViewportId::ROOT, &*window, Some(scale), None, side);
         egui.accesskit = access;
-        Ok(Self { screen, egui, window, is_occluded, theme: None, title })
+        Ok(Self { screen, egui, window, is_occluded, is_unmapped, mapping, theme: None, title })
     }
 
     /// Takes the device away, as a driver might.
@@ -125,7 +148,12 @@ impl OpenWindow {
     /// Whether drawing can be seen at all.
     pub(super) fn is_visible(&self) -> bool {
         let size = self.window.inner_size();
-        !self.is_occluded && size.width > 0 && size.height > 0
+        !self.is_occluded && !self.is_unmapped && size.width > 0 && size.height > 0
+    }
+
+    /// Looks whether the window is on the screen at all, where no event tells.
+    pub(super) fn look_around(&mut self) {
+        self.is_unmapped = self.mapping.as_ref().is_some_and(|mapping| !mapping.is_mapped());
     }
 
     /// Of the monitor that the window is on (millihertz).
@@ -196,6 +224,8 @@ impl OpenWindow {
         let mut picture = egui::Rect::NOTHING;
         let look = session.look(real_time_factor, fullscreen);
         let output = context.run_ui(input, |ui| {
+            // What a screen reader calls the window.
+            ui.ctx().accesskit_node_builder(egui::accesskit_root_id(), |node| node.set_label(&*self.title));
             let shown = panels.ui(ui, &look);
             commands.extend(shown.commands);
             picture = shown.picture;
@@ -225,10 +255,10 @@ impl OpenWindow {
         }
     }
 
-    /// The panels grow with the window, as what is projected does: legible from the last row at any resolution.
+    /// Legible from the last row at any resolution.
     fn scale_text(&self, context: &egui::Context, text_size: f32) {
         let size = self.window.inner_size().to_logical::<f32>(self.window.scale_factor());
-        context.set_zoom_factor(text_size * zoom(size.width, size.height));
+        context.set_zoom_factor(zoom(size.width, size.height, text_size));
     }
 
     /// Writes the picture as it is, as large as the window; says where.
@@ -280,7 +310,7 @@ impl OpenWindow {
             session.picture_changed = false;
             let aspect = session.picture_size.x / session.picture_size.y;
             let frame = objects::build_frame(&session.sim, &session.scene.view, &session.cameras, aspect);
-            self.screen.draw_picture(&frame, pixels_per_point);
+            self.screen.draw_picture(&frame, picture_point(pixels_per_point, size));
         }
         corner
     }
@@ -298,6 +328,30 @@ fn open_screen(
         let _ = proxy.send_event(Wake::DeviceLost);
     };
     Screen::new(window, event_loop.owned_display_handle(), options.adapter.as_deref(), on_lost)
+}
+
+/// A size (points) that fits the monitor a window will most likely open on.
+fn within_monitor(event_loop: &ActiveEventLoop, [width, height]: [f64; 2]) -> LogicalSize<f64> {
+    let monitor = event_loop.primary_monitor().or_else(|| event_loop.available_monitors().next());
+    let Some(monitor) = monitor.filter(|monitor| monitor.size().width > 0) else {
+        return LogicalSize::new(width, height);
+    };
+    let room = monitor.size().to_logical::<f64>(monitor.scale_factor());
+    LogicalSize::new(width.min(room.width - BARS), height.min(room.height - BARS))
+}
+
+/// The name by which desktops know the program's windows.
+#[cfg(all(unix, not(target_vendor = "apple")))]
+fn named(attributes: WindowAttributes) -> WindowAttributes {
+    use winit::platform::{wayland, x11};
+    let attributes = x11::WindowAttributesExtX11::with_name(attributes, NAME, NAME);
+    wayland::WindowAttributesExtWayland::with_name(attributes, NAME, NAME)
+}
+
+/// Elsewhere a program's file is its name.
+#[cfg(not(all(unix, not(target_vendor = "apple"))))]
+fn named(attributes: WindowAttributes) -> WindowAttributes {
+    attributes
 }
 
 fn title(session: &Session) -> String {

@@ -53,7 +53,12 @@ impl Pacer {
     /// The real time (s) since the last frame that was played.
     pub(super) fn tick(&mut self, now: Instant) -> f64 {
         let passed = self.last_tick.replace(now).map_or(Duration::ZERO, |last| now - last);
-        if passed > LONGEST_FRAME { self.period.as_secs_f64() } else { passed.as_secs_f64() }
+        if passed > LONGEST_FRAME {
+            // Not played, so not measured either.
+            self.measured = None;
+            return self.period.as_secs_f64();
+        }
+        passed.as_secs_f64()
     }
 
     /// Playing has stopped: the time until it goes on is not played.

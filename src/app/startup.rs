@@ -4,6 +4,10 @@ use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, resume_unwind, s
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use winit::error::EventLoopError;
+use winit::event_loop::{EventLoop, EventLoopBuilder};
+
+use super::Wake;
 use crate::render::GpuError;
 
 /// Why there is no window.
@@ -15,6 +19,12 @@ pub enum WindowError {
          `dzhanibekov shot` and `dzhanibekov record` draw with no display"
     )]
     NoDisplay,
+    /// A compositor is named that is not there.
+    #[error(
+        "no compositor answers at WAYLAND_DISPLAY={0}, and DISPLAY is not set; \
+         `dzhanibekov shot` and `dzhanibekov record` draw with no display"
+    )]
+    NoCompositor(String),
     /// X11 keyboards need a library that is loaded late.
     #[error(
         "libxkbcommon-x11 is missing, which a window on X11 needs: \
@@ -44,27 +54,59 @@ pub enum WindowError {
     Surface(String),
 }
 
-/// Looks for what is known to be missing before the window system would trip over it.
+/// Connects to the display that there is. What is known to be missing is looked for before the window system would trip
+/// over it.
 #[cfg(all(unix, not(target_vendor = "apple")))]
-pub(super) fn check_display() -> Result<(), WindowError> {
+pub(super) fn connect() -> Result<EventLoop<Wake>, WindowError> {
+    use winit::platform::x11::EventLoopBuilderExtX11;
     let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
-    if is_set("WAYLAND_DISPLAY") || is_set("WAYLAND_SOCKET") {
-        return Ok(());
+    let mut builder = EventLoop::with_user_event();
+    let compositor = std::env::var_os("WAYLAND_DISPLAY").filter(|name| !name.is_empty());
+    if is_set("WAYLAND_SOCKET") || compositor.as_deref().is_some_and(answers) {
+        return build(builder);
     }
     if !is_set("DISPLAY") {
-        return Err(WindowError::NoDisplay);
+        let gone = |name: std::ffi::OsString| WindowError::NoCompositor(name.to_string_lossy().into_owned());
+        return Err(compositor.map_or(WindowError::NoDisplay, gone));
     }
     // winit would panic where this library is missing.
     if xkbcommon_dl::x11::xkbcommon_x11_option().is_none() {
         return Err(WindowError::NoKeyboardLibrary);
     }
-    Ok(())
+    // Not left to winit, which asks for a compositor wherever one is named.
+    builder.with_x11();
+    build(builder)
 }
 
-/// Looks for what is known to be missing before the window system would trip over it.
+/// Whether a Wayland compositor listens under this name, or at this path.
+#[cfg(all(unix, not(target_vendor = "apple")))]
+fn answers(name: &std::ffi::OsStr) -> bool {
+    let folder = std::env::var_os("XDG_RUNTIME_DIR").map(std::path::PathBuf::from).unwrap_or_default();
+    std::os::unix::net::UnixStream::connect(folder.join(name)).is_ok()
+}
+
+/// Connects to the display.
 #[cfg(not(all(unix, not(target_vendor = "apple"))))]
-pub(super) fn check_display() -> Result<(), WindowError> {
-    Ok(())
+pub(super) fn connect() -> Result<EventLoop<Wake>, WindowError> {
+    build(EventLoop::with_user_event())
+}
+
+fn build(mut builder: EventLoopBuilder<Wake>) -> Result<EventLoop<Wake>, WindowError> {
+    builder.build().map_err(|error| WindowError::Display(cause(&error.to_string())))
+}
+
+/// What the window system says, without the place in its source that it puts before.
+fn cause(words: &str) -> String {
+    let told = words.strip_prefix("os error at ").and_then(|rest| rest.split_once(": "));
+    told.map_or(words, |(_, told)| told).to_owned()
+}
+
+/// How the event loop ended, where it ended by itself.
+pub(super) fn ended(error: &EventLoopError) -> WindowError {
+    WindowError::DisplayGone(match error {
+        EventLoopError::ExitFailure(_) => "the connection to it broke".to_owned(),
+        other => cause(&other.to_string()),
+    })
 }
 
 /// Runs the window. winit has no error for a display that goes away while it is asked something: it panics, and nothing

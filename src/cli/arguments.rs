@@ -210,25 +210,11 @@ impl SceneArguments {
         view: &ViewArguments,
         is_quiet: bool,
     ) -> Result<(Scene, Vec<dzhanibekov::app::Slide>), Failure> {
-        let folder = self.name();
-        if !folder.is_dir() {
+        if !self.name().is_dir() {
             return Ok((self.scene(Some(view), is_quiet)?, Vec::new()));
         }
-        let refused =
-            |error: std::io::Error| Failure::request(format!("{}: could not be read: {error}", folder.display()));
-        let entries = std::fs::read_dir(folder).map_err(refused)?;
-        let mut paths = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>, _>>().map_err(refused)?;
-        paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml") && !path.is_dir());
-        paths.sort();
-        let mut slides = Vec::new();
-        for path in &paths {
-            let (name, file) = read_file(path)?;
-            Scene::check(&file).map_err(|error| Failure::request(format!("{name}: {error}")))?;
-            slides.push(dzhanibekov::app::Slide { name, file });
-        }
-        let first = slides.first().ok_or_else(|| {
-            Failure::request(format!("{}: there is no .toml file in this folder to show as a slide", folder.display()))
-        })?;
+        let slides = scenes_at(self.name()).map_err(Failure::request)?;
+        let Some(first) = slides.first() else { return Ok((self.scene(Some(view), is_quiet)?, slides)) };
         Ok((self.checked(Some(&first.name), &first.file, Some(view), is_quiet)?, slides))
     }
 
@@ -243,7 +229,7 @@ impl SceneArguments {
         match name.to_str() {
             Some(stem) if !is_path || preset(stem).is_ok() => Ok((None, preset(stem)?.read()?)),
             _ => {
-                let (path, file) = read_file(name)?;
+                let (path, file) = read_file(name).map_err(Failure::request)?;
                 Ok((Some(path), file))
             }
         }
@@ -320,11 +306,33 @@ fn override_with<T>(value: &mut Option<T>, given: Option<T>) {
     }
 }
 
+/// The scene of a file, or those of a folder in the order of their names, each checked; in a folder there is at least one.
+#[cfg(feature = "window")]
+pub(super) fn scenes_at(path: &Path) -> Result<Vec<dzhanibekov::app::Slide>, String> {
+    let mut paths = vec![path.to_owned()];
+    if path.is_dir() {
+        let refused = |error: std::io::Error| format!("{}: could not be read: {error}", path.display());
+        let entries = std::fs::read_dir(path).map_err(refused)?;
+        paths = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>, _>>().map_err(refused)?;
+        paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml") && !path.is_dir());
+        paths.sort();
+        if paths.is_empty() {
+            return Err(format!("{}: there is no .toml file in this folder to show as a slide", path.display()));
+        }
+    }
+    let read = |path: &PathBuf| {
+        let (name, file) = read_file(path)?;
+        Scene::check(&file).map_err(|error| format!("{name}: {error}"))?;
+        Ok(dzhanibekov::app::Slide { name, file })
+    };
+    paths.iter().map(read).collect()
+}
+
 /// Reads a scene file; its path comes with it.
-fn read_file(path: &Path) -> Result<(String, SceneFile), Failure> {
+fn read_file(path: &Path) -> Result<(String, SceneFile), String> {
     let name = path.display().to_string();
-    let text = read_scene(path).map_err(|reason| Failure::request(format!("{name}: {reason}")))?;
-    let file = SceneFile::parse(&text).map_err(|error| Failure::request(format!("{name}: {error}")))?;
+    let text = read_scene(path).map_err(|reason| format!("{name}: {reason}"))?;
+    let file = SceneFile::parse(&text).map_err(|error| format!("{name}: {error}"))?;
     Ok((name, file))
 }
 

@@ -174,7 +174,9 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
         let encode_png = |pixels: &dzhanibekov::render::Pixels, transparent| {
             dzhanibekov::headless::encode(pixels, transparent, &[]).map_err(|error| error.to_string())
         };
-        let options = dzhanibekov::app::WindowOptions { size, adapter: arguments.adapter.clone(), slides, encode_png };
+        let adapter = arguments.adapter.clone();
+        let read_scenes = arguments::scenes_at;
+        let options = dzhanibekov::app::WindowOptions { size, adapter, slides, encode_png, read_scenes };
         dzhanibekov::app::run(scene, options).map_err(|error| Failure::could(error.to_string()))
     }
     #[cfg(not(feature = "window"))]

@@ -62,7 +62,7 @@ pub static OBJECTS: &[Object] = &[
     object("annulus", "Annulus of the herpolhode", Space::World, false, floor::annulus),
     object("herpolhode", "Herpolhode", Space::World, false, floor::herpolhode),
     object("rolling-ellipsoid", "Poinsot's rolling ellipsoid", Space::World, false, floor::rolling_ellipsoid),
-    object("rolling-sphere", "Momentum sphere, rolling with the body", Space::World, false, body_axes::carried_sphere),
+    object("rolling-sphere", "Rolling momentum sphere", Space::World, false, body_axes::carried_sphere),
     object("axis-trail", "Trail of the spin axis", Space::World, false, body_axes::trail),
     object("axis-1-trail", "Trail of axis 1", Space::World, false, body_axes::trail_of_axis::<0>),
     object("axis-2-trail", "Trail of axis 2", Space::World, false, body_axes::trail_of_axis::<1>),

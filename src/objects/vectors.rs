@@ -38,6 +38,15 @@ fn add(view: &mut View, to: Vec3, name: &str, color: Color, toward: Vec2, moves:
     arrow::add(view, Vec3::ZERO, to, color);
     if to.length() > 1e-3 {
         let text = name.to_owned();
-        view.labels.push(Label { anchor: to, toward, gap: 10.0, text, size: 26.0, color, priority: if moves { 10 } else { 11 }, moves });
+        view.labels.push(Label {
+            anchor: to,
+            toward,
+            gap: 10.0,
+            text,
+            size: 26.0,
+            color,
+            priority: if moves { 10 } else { 11 },
+            moves,
+        });
     }
 }

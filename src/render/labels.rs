@@ -111,11 +111,12 @@ pub(super) fn place(
     let opacity = |number: usize, own: &Box2| {
         let label = &view.labels[number];
         let others = view.labels.iter().zip(&places).filter_map(|(other, place)| Some((other, (*place)?)));
-        others
-            .filter(|(other, _)| (other.moves || label.moves) && other.priority > label.priority)
-            .map(|(_, place)| own.gap(&place) / (FADES_WITHIN * point))
-            .fold(1.0, f32::min)
-            .max(FADED)
+        let others = others.filter(|(other, _)| (other.moves || label.moves) && other.priority > label.priority);
+        let moving = view.points.iter().filter(|mark| mark.moves && !label.moves);
+        let moving =
+            moving.filter_map(|mark| Some(Box2::around(project(mark.position)?, Vec2::splat(0.5 * mark.size * point))));
+        let gaps = others.map(|(_, place)| own.gap(&place)).chain(moving.map(|mark| own.gap(&mark)));
+        gaps.fold(1.0, |least: f32, gap| least.min(gap / (FADES_WITHIN * point))).max(FADED)
     };
     let stand = |(number, place): (usize, &Option<Box2>)| {
         place.as_ref().map(|own| Place { low: own.low.round(), opacity: opacity(number, own) })

@@ -13,6 +13,7 @@ mod point;
 mod quadrics;
 mod readback;
 mod renderer;
+mod resolve;
 mod solid;
 mod targets;
 mod text;

@@ -9,6 +9,7 @@ use super::notes;
 use super::pipeline::PipelineMaker;
 use super::point::Points;
 use super::quadrics::Quadrics;
+use super::resolve::Resolve;
 use super::solid::Solids;
 use super::targets::Targets;
 use super::text::Texts;
@@ -34,6 +35,8 @@ pub struct Renderer {
     lines: Lines,
     points: Points,
     texts: Texts,
+    /// Where the device's own way is not taken.
+    resolve: Option<Resolve>,
     targets: Option<Targets>,
 }
 
@@ -48,7 +51,8 @@ impl Renderer {
         let lines = Lines::new(&maker);
         let points = Points::new(&maker);
         let texts = Texts::new(&maker);
-        Self { views, solids, quadrics, lines, points, texts, targets: None }
+        let resolve = gpu.is_software().then(|| Resolve::new(&gpu.device));
+        Self { views, solids, quadrics, lines, points, texts, resolve, targets: None }
     }
 
     /// Draws the frame into `target`, a view of a [`FORMAT`] texture of this size, with `point` pixels a point
@@ -62,6 +66,7 @@ impl Renderer {
             .iter()
             .map(|view| ViewUniform::new(view, (view.area.extent * picture).max(Vec2::ONE), point))
             .collect();
+        let frame = &*self.texts.with_broken_notes(frame, picture, point);
         let frame = &*notes::with_samples(frame, &uniforms, picture, point);
         self.views.write(device, queue, &uniforms);
         self.solids.upload(device, queue, frame);
@@ -81,10 +86,10 @@ impl Renderer {
                 color_attachments: &[Some(wgpu::RenderPassColorAttachment {
                     view: &targets.color,
                     depth_slice: None,
-                    resolve_target: Some(target),
+                    resolve_target: self.resolve.is_none().then_some(target),
                     ops: wgpu::Operations {
                         load: wgpu::LoadOp::Clear(clear_color(frame)),
-                        store: wgpu::StoreOp::Discard,
+                        store: if self.resolve.is_some() { wgpu::StoreOp::Store } else { wgpu::StoreOp::Discard },
                     },
                 })],
                 depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
@@ -115,6 +120,9 @@ impl Renderer {
                 self.points.draw(&mut pass, number);
                 self.texts.draw(&mut pass, number);
             }
+        }
+        if let Some(resolve) = &self.resolve {
+            resolve.draw(device, &mut encoder, &targets.color, target);
         }
         queue.submit([encoder.finish()]);
         self.targets = Some(targets);

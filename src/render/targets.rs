@@ -12,7 +12,8 @@ pub(super) struct Targets {
 
 impl Targets {
     pub(super) fn new(device: &wgpu::Device, size: [u32; 2]) -> Self {
-        let view = |format, label| {
+        let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
+        let view = |format, usage, label| {
             device
                 .create_texture(&wgpu::TextureDescriptor {
                     label: Some(label),
@@ -21,12 +22,16 @@ impl Targets {
                     sample_count: SAMPLES,
                     dimension: wgpu::TextureDimension::D2,
                     format,
-                    usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+                    usage,
                     view_formats: &[],
                 })
                 .create_view(&wgpu::TextureViewDescriptor::default())
         };
-        Self { size, color: view(FORMAT, "colours"), depth: view(DEPTH_FORMAT, "depths") }
+        Self {
+            size,
+            color: view(FORMAT, attachment | wgpu::TextureUsages::TEXTURE_BINDING, "colours"),
+            depth: view(DEPTH_FORMAT, attachment, "depths"),
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Texts: glyphs of an atlas as quads, with a halo that keeps them readable over anything.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
@@ -12,7 +13,7 @@ use super::notes;
 use super::pipeline::{PipelineMaker, Recipe};
 use super::targets::extent;
 use super::view::ViewUniform;
-use crate::frame::{Color, Frame, View};
+use crate::frame::{Color, Frame, Note, View};
 
 /// Radius of the halo (points).
 const HALO: f32 = 2.4;
@@ -136,6 +137,35 @@ impl Texts {
                 wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(Glyphs::SIDE), rows_per_image: None };
             queue.write_texture(self.atlas.as_image_copy(), pixels, layout, extent([Glyphs::SIDE, rows]));
         }
+    }
+
+    /// The frame with notes that are too long for their views broken into rows. Rows with samples are left whole.
+    pub(super) fn with_broken_notes<'a>(&mut self, frame: &'a Frame, picture: Vec2, point: f32) -> Cow<'a, Frame> {
+        let mut broken = Cow::Borrowed(frame);
+        for (number, view) in frame.views.iter().enumerate() {
+            let room = view.area.extent.x * picture.x - 2.0 * notes::MARGIN * point;
+            let rows: Vec<Note> = view.notes.iter().flat_map(|note| self.broken(note, room, point)).collect();
+            if rows.len() != view.notes.len() {
+                broken.to_mut().views[number].notes = rows;
+            }
+        }
+        broken
+    }
+
+    /// The rows of a note in this much room (pixels): as many words in each as fit.
+    fn broken(&mut self, note: &Note, room: f32, point: f32) -> Vec<Note> {
+        let mut width = |text: &str| self.glyphs.lay_out(text, note.size * point).extent[0];
+        if note.sample.is_some() || width(&note.text) <= room {
+            return vec![note.clone()];
+        }
+        let mut rows: Vec<String> = vec![];
+        for word in note.text.split(' ') {
+            match rows.last_mut() {
+                Some(row) if width(&format!("{row} {word}")) <= room => *row = format!("{row} {word}"),
+                _ => rows.push(word.to_owned()),
+            }
+        }
+        rows.into_iter().map(|text| Note { text, ..note.clone() }).collect()
     }
 
     /// The notes of a view: laid out, their top left corners, their colours.

@@ -10,6 +10,8 @@ use crate::physics::Method;
 use crate::sim::Errors;
 use crate::sim::Runner;
 
+/// Width (points) that both charts take.
+const TWO_CHARTS: f32 = 720.0;
 /// Points of a curve.
 const POINTS: u32 = 500;
 /// What is drawn for no error at all, on the logarithmic scale.
@@ -40,11 +42,17 @@ impl Kind {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Charts {
     kind: Kind,
+    /// Which one is shown where there is no room for both.
+    shows_errors: bool,
 }
 
 impl Charts {
     /// Shows them side by side.
     pub(super) fn ui(&mut self, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+        if ui.available_width() < TWO_CHARTS {
+            self.one(ui, look, commands);
+            return;
+        }
         ui.columns(2, |columns| {
             if let [left, right] = columns {
                 velocity(left, look, commands);
@@ -53,51 +61,78 @@ impl Charts {
         });
     }
 
+    /// Where there is no room for both: the one that is chosen.
+    fn one(&mut self, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+        ui.horizontal(|ui| {
+            ui.selectable_value(&mut self.shows_errors, false, "velocity");
+            ui.selectable_value(&mut self.shows_errors, true, "errors");
+            if self.shows_errors {
+                ui.separator();
+                self.kinds(ui);
+            } else {
+                names(ui, look);
+            }
+        });
+        if self.shows_errors { errors_graph(self.kind, ui, look, commands) } else { velocity_graph(ui, look, commands) }
+    }
+
+    fn kinds(&mut self, ui: &mut Ui) {
+        for (kind, name) in [(Kind::Energy, "energy"), (Kind::Momentum, "momentum"), (Kind::Attitude, "attitude")] {
+            ui.selectable_value(&mut self.kind, kind, name);
+        }
+    }
+
     fn errors(&mut self, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         ui.horizontal(|ui| {
             ui.label("Error of");
-            for (kind, name) in [(Kind::Energy, "energy"), (Kind::Momentum, "momentum"), (Kind::Attitude, "attitude")] {
-                ui.selectable_value(&mut self.kind, kind, name);
-            }
+            self.kinds(ui);
         });
-        let kind = self.kind;
-        let runners: Vec<&'static Method> =
-            std::iter::once(look.sim.main()).chain(look.sim.ghosts()).map(Runner::method).collect();
-        let is_dark = ui.visuals().dark_mode;
-        let response = plot("errors", look)
-            .default_y_bounds(FLOOR, 1.0)
-            .y_axis_formatter(
-                |mark, _| if mark.value.fract() == 0.0 { power_of_ten(mark.value) } else { String::new() },
-            )
-            .y_grid_spacer(egui_plot::uniform_grid_spacer(|_| [20.0, 10.0, 5.0]))
-            .legend(
-                Legend::default().position(Corner::RightTop).background_alpha(0.6).text_style(egui::TextStyle::Small),
-            )
-            .show(ui, |plot| {
-                for (index, method) in runners.iter().enumerate() {
-                    let color = look.color_of(method);
-                    let pieces = look.history.pieces(|sample| {
-                        let error = kind.of(sample.errors.get(index)?);
-                        Some(if error > 0.0 { error.log10().max(FLOOR) } else { FLOOR })
-                    });
-                    for piece in pieces {
-                        let line = Line::new(method.label, PlotPoints::from(piece));
-                        plot.line(line.color(color).width(if index == 0 { 2.5 } else { 1.5 }));
-                    }
-                }
-                finish(plot, look, is_dark)
-            });
-        go_to(response.inner, commands);
+        errors_graph(self.kind, ui, look, commands);
     }
+}
+
+fn errors_graph(kind: Kind, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    let runners: Vec<&'static Method> =
+        std::iter::once(look.sim.main()).chain(look.sim.ghosts()).map(Runner::method).collect();
+    let is_dark = ui.visuals().dark_mode;
+    let response = plot("errors", look)
+        .default_y_bounds(FLOOR, 1.0)
+        .y_axis_formatter(|mark, _| if mark.value.fract() == 0.0 { power_of_ten(mark.value) } else { String::new() })
+        .y_grid_spacer(egui_plot::uniform_grid_spacer(|_| [20.0, 10.0, 5.0]))
+        .legend(Legend::default().position(Corner::RightTop).background_alpha(0.6).text_style(egui::TextStyle::Small))
+        .show(ui, |plot| {
+            for (index, method) in runners.iter().enumerate() {
+                let color = look.color_of(method);
+                let pieces = look.history.pieces(|sample| {
+                    let error = kind.of(sample.errors.get(index)?);
+                    Some(if error > 0.0 { error.log10().max(FLOOR) } else { FLOOR })
+                });
+                for piece in pieces {
+                    let line = Line::new(method.label, PlotPoints::from(piece));
+                    plot.line(line.color(color).width(if index == 0 { 2.5 } else { 1.5 }));
+                }
+            }
+            finish(plot, look, is_dark)
+        });
+    name(&response.response, "graph of the errors of the methods");
+    go_to(response.inner, commands);
 }
 
 fn velocity(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.label("Angular velocity in the body");
-        for (name, color) in NAMES.into_iter().zip(look.axis_colors) {
-            ui.label(RichText::new(name).size(17.0).strong().color(color));
-        }
+        names(ui, look);
     });
+    velocity_graph(ui, look, commands);
+}
+
+fn names(ui: &mut Ui, look: &Look<'_>) {
+    for (name, color) in NAMES.into_iter().zip(look.axis_colors) {
+        ui.label(RichText::new(name).size(17.0).strong().color(color));
+    }
+}
+
+fn velocity_graph(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let is_dark = ui.visuals().dark_mode;
     let principal_from_body = look.sim.body().body_from_principal().transpose();
     let moments = look.sim.body().principal_moments();
@@ -126,13 +161,20 @@ fn velocity(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         }
         finish(plot, look, is_dark)
     });
+    name(&response.response, "graph of the angular velocity in the body, Ω₁ Ω₂ Ω₃");
     go_to(response.inner, commands);
+}
+
+/// Tells a screen reader what a graph is.
+fn name(graph: &egui::Response, name: &str) {
+    graph.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, name));
 }
 
 fn plot<'a>(name: &'static str, look: &Look<'_>) -> Plot<'a> {
     Plot::new(name)
         .allow_drag(false)
         .allow_zoom(false)
+        .allow_axis_zoom_drag(false)
         .allow_scroll(false)
         .allow_boxed_zoom(false)
         .allow_double_click_reset(false)

@@ -21,10 +21,15 @@ pub(super) enum Icon {
     Next,
 }
 
-/// A button with a sign; `name` says what it does, to readers of hints and of the screen alike.
-pub(super) fn icon_button(ui: &mut Ui, icon: Icon, name: &str, size: f32, is_on: bool) -> Response {
+/// A button with a sign; `name` says what it does, to readers of hints and of the screen alike. One that holds a state is
+/// on or off.
+pub(super) fn icon_button(ui: &mut Ui, icon: Icon, name: &str, size: f32, state: Option<bool>) -> Response {
     let (rect, response) = ui.allocate_exact_size(Vec2::splat(size), Sense::click());
-    response.widget_info(|| WidgetInfo::selected(egui::accesskit::Role::Button, ui.is_enabled(), is_on, name));
+    let is_on = state.unwrap_or(false);
+    response.widget_info(|| match state {
+        Some(is_on) => WidgetInfo::selected(egui::accesskit::Role::Button, ui.is_enabled(), is_on, name),
+        None => WidgetInfo::labeled(egui::accesskit::Role::Button, ui.is_enabled(), name),
+    });
     let visuals = ui.style().interact_selectable(&response, is_on);
     let painter = ui.painter();
     painter.rect(

@@ -115,8 +115,21 @@ pub static BINDINGS: &[Binding] = &[
     row("Ctrl +", &[(Control, Key::Plus), (Control, Key::Equals)], "larger text", Command::TextSize(1.1), silent),
     row("Ctrl −", &[(Control, Key::Minus)], "smaller text", Command::TextSize(1.0 / 1.1), silent),
     row("Ctrl 0", &[(Control, Key::Num0)], "usual text", Command::TextSize(0.0), silent),
-    row("H, F1", &[(Up, Key::H), (Any, Key::F1), (Any, Key::Questionmark)], "this help", Command::ToggleHelp, silent),
+    row(
+        "H, F1",
+        &[(Up, Key::H), (Any, Key::F1), (Any, Key::Questionmark)],
+        "this help (Esc closes it)",
+        Command::ToggleHelp,
+        silent,
+    ),
 ];
+
+/// What a command does and its keys, for hints.
+#[must_use]
+pub fn hint_of(command: &Command) -> String {
+    let row = BINDINGS.iter().find(|binding| binding.command == *command);
+    row.map_or_else(String::new, |binding| format!("{} ({})", binding.does, binding.keys))
+}
 
 /// The keys of a command, for hints.
 #[must_use]

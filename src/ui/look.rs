@@ -52,6 +52,12 @@ pub struct Look<'a> {
 }
 
 impl Look<'_> {
+    /// What the scene is called.
+    pub(super) fn title(&self) -> &str {
+        let title = self.open.and_then(|open| self.titles.get(open)).map_or(&*self.scene.file.title, String::as_str);
+        if title.is_empty() { "Own scene" } else { title }
+    }
+
     /// A method's colour: as a ghost, or the body's own.
     pub(super) fn color_of(&self, method: &Method) -> egui::Color32 {
         let is_own = method.name == self.scene.method.name;

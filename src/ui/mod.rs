@@ -45,6 +45,13 @@ enum Tab {
     Picture,
 }
 
+/// Width of a window (points) below which the strip of time goes below the panel.
+const NARROW: f32 = 900.0;
+/// Least part of the window's height that is kept for the picture.
+const PICTURE_SHARE: f32 = 0.45;
+/// Least and usual height of the charts (points).
+const CHARTS_HEIGHT: (f32, f32) = (110.0, 190.0);
+
 /// All panels.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Panels {
@@ -66,20 +73,27 @@ impl Panels {
     /// Shows everything around and over the picture.
     pub fn ui(&mut self, ui: &mut Ui, look: &Look<'_>) -> Outcome {
         let mut commands = Vec::new();
-        let fill = ui.visuals().panel_fill;
+        let room = ui.available_size();
         if look.shown.panel {
-            self.panel(ui, look, &mut commands);
-            let frame = Frame::new().fill(fill).inner_margin(Margin { left: 16, right: 16, top: 6, bottom: 4 });
-            let strip = Panel::bottom("transport").frame(frame).show_separator_line(false);
-            strip.exact_size(92.0).show(ui, |ui| transport::show(ui, look, &mut commands));
+            // In a narrow window the strip of time has the whole width.
+            if room.x < NARROW {
+                transport_ui(ui, look, &mut commands);
+                self.panel(ui, look, &mut commands);
+            } else {
+                self.panel(ui, look, &mut commands);
+                transport_ui(ui, look, &mut commands);
+            }
         }
+        // The picture comes first: what stands above and below it gives way in a low window.
+        let picture = PICTURE_SHARE * room.y;
         if look.shown.charts {
-            let frame = Frame::new().fill(fill).inner_margin(Margin { left: 16, right: 16, top: 6, bottom: 0 });
+            let height = (ui.available_height() - picture).clamp(CHARTS_HEIGHT.0, CHARTS_HEIGHT.1);
+            let frame = strip_frame(ui, 0);
             let strip = Panel::bottom("charts").frame(frame).show_separator_line(false);
-            strip.exact_size(190.0).show(ui, |ui| self.charts.ui(ui, look, &mut commands));
+            strip.exact_size(height).show(ui, |ui| self.charts.ui(ui, look, &mut commands));
         }
         if look.shown.slide {
-            slide::show(ui, look);
+            slide::show(ui, look, ui.available_height() - picture);
         }
         let picture = self.viewport.ui(ui, look, &mut commands);
         if let Some(message) = look.message {
@@ -134,9 +148,20 @@ impl Panels {
     }
 }
 
+/// The ground of a strip below the picture.
+fn strip_frame(ui: &Ui, bottom: i8) -> Frame {
+    let margin = Margin { left: 16, right: 16, top: 6, bottom };
+    Frame::new().fill(ui.visuals().panel_fill).inner_margin(margin)
+}
+
+fn transport_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    let strip = Panel::bottom("transport").frame(strip_frame(ui, 4)).show_separator_line(false);
+    strip.exact_size(92.0).show(ui, |ui| transport::show(ui, look, commands));
+}
+
 fn scene_picker(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) -> egui::Response {
-    let title = look.open.and_then(|open| look.titles.get(open)).map_or(look.scene.file.title.as_str(), String::as_str);
-    let text = RichText::new(if title.is_empty() { "Own scene" } else { title }).size(18.0).strong();
+    let title = look.title();
+    let text = RichText::new(title).size(18.0).strong();
     let combo =
         ComboBox::from_id_salt("scene").width(ui.available_width()).height(420.0).truncate().selected_text(text);
     let shown = combo.show_ui(ui, |ui| {

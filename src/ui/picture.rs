@@ -28,8 +28,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             ("graphs", look.shown.charts, Command::ToggleCharts),
         ] {
             let mut is_on = is_on;
-            let hint = keys::keys_of(&command).unwrap_or(name);
-            if ui.checkbox(&mut is_on, name).on_hover_text(hint).changed() {
+            if ui.checkbox(&mut is_on, name).on_hover_text(keys::hint_of(&command)).changed() {
                 commands.push(command);
             }
         }
@@ -58,8 +57,7 @@ fn keep(ui: &mut Ui, commands: &mut Vec<Command>) {
     ];
     ui.horizontal_wrapped(|ui| {
         for (name, command) in buttons {
-            let hint = keys::keys_of(&command).unwrap_or(name);
-            if ui.button(name).on_hover_text(hint).clicked() {
+            if ui.button(name).on_hover_text(keys::hint_of(&command)).clicked() {
                 commands.push(command);
             }
         }

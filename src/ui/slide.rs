@@ -1,30 +1,53 @@
 //! The scene as a slide: its title, a few sentences and a question to the class, above the picture.
 
-use egui::{Frame, Margin, Panel, RichText, Ui};
+use egui::{Color32, FontId, Frame, Margin, Panel, RichText, Ui};
 
 use super::{Look, style};
 
-/// Shows it, where the scene says anything.
-pub(super) fn show(ui: &mut Ui, look: &Look<'_>) {
+/// Sizes of the title and of the words (points).
+const TITLE: f32 = 26.0;
+const WORDS: f32 = 17.0;
+/// Space at the sides, above and below, and between the parts (points).
+const SIDE: i8 = 24;
+const ABOVE: i8 = 14;
+const BELOW: i8 = 12;
+const BETWEEN: f32 = 5.0;
+
+/// Shows it, where the scene says anything, and only as many of its parts as this height (points) holds.
+pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
+    // Lines of the file are no lines of the slide.
+    let joined = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     let file = &look.scene.file;
-    let (title, text, question) = (file.title.trim(), file.text.trim(), file.question.trim());
-    if title.is_empty() && text.is_empty() && question.is_empty() {
+    let text_color = ui.visuals().text_color();
+    let accent = style::accent(ui.visuals().dark_mode);
+    let parts = [
+        (joined(&file.title), TITLE, text_color),
+        (joined(&file.text), WORDS, text_color),
+        (joined(&file.question), WORDS, accent),
+    ];
+    let width = ui.available_width() - 2.0 * f32::from(SIDE);
+    let mut height = f32::from(ABOVE) + f32::from(BELOW);
+    let fitting = parts.iter().filter(|(text, ..)| !text.is_empty()).take_while(|(text, size, _)| {
+        height += BETWEEN + height_of(ui, text, *size, width);
+        height <= most
+    });
+    let fitting: Vec<_> = fitting.collect();
+    if fitting.is_empty() {
         return;
     }
-    let frame = Frame::new().fill(look.ground).inner_margin(Margin { left: 24, right: 24, top: 14, bottom: 12 });
+    let margin = Margin { left: SIDE, right: SIDE, top: ABOVE, bottom: BELOW };
+    let frame = Frame::new().fill(look.ground).inner_margin(margin);
     Panel::top("slide").frame(frame).show_separator_line(false).show(ui, |ui| {
-        ui.spacing_mut().item_spacing.y = 5.0;
-        if !title.is_empty() {
-            ui.label(RichText::new(title).size(26.0).strong());
-        }
-        if !text.is_empty() {
-            // Lines of the file are no lines of the slide.
-            let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-            ui.label(RichText::new(text).size(17.0));
-        }
-        if !question.is_empty() {
-            let question = question.split_whitespace().collect::<Vec<_>>().join(" ");
-            ui.label(RichText::new(question).size(17.0).color(style::accent(ui.visuals().dark_mode)));
+        ui.spacing_mut().item_spacing.y = BETWEEN;
+        for (text, size, color) in fitting {
+            let text = RichText::new(text).size(*size).color(*color);
+            ui.label(if *size == TITLE { text.strong() } else { text });
         }
     });
+}
+
+/// Height of a text in lines of this width (points).
+fn height_of(ui: &Ui, text: &str, size: f32, width: f32) -> f32 {
+    let font = FontId::proportional(size);
+    ui.painter().layout(text.to_owned(), font, Color32::PLACEHOLDER, width).size().y
 }

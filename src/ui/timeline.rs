@@ -1,9 +1,13 @@
 //! The scrub bar: past and future on one line, with a tick at each flip.
 
+use egui::accesskit::{Action, ActionData};
 use egui::{Align2, FontId, Key, Rect, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use super::numbers::{significant, trimmed};
 use super::{Command, Look, style};
+
+/// What an arrow key moves, as a part of the bar.
+const STEP: f64 = 0.01;
 
 /// What is known of a motion before it is run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,6 +56,14 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let time = look.sim.time();
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 30.0), Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::slider(true, time, "time (s)"));
+    ui.ctx().accesskit_node_builder(response.id, |node| {
+        node.set_min_numeric_value(low);
+        node.set_max_numeric_value(high);
+        node.set_numeric_value_step((high - low) * STEP);
+        for action in [Action::SetValue, Action::Increment, Action::Decrement] {
+            node.add_action(action);
+        }
+    });
     let track = rect.shrink2(vec2(6.0, 0.0));
     let at = |t: f64| track.left() + ((t - low) / (high - low)) as f32 * track.width();
     let is_dark = ui.visuals().dark_mode;
@@ -88,6 +100,9 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             commands.push(Command::GoTo(wanted));
         }
     }
+    for wanted in reader_wishes(ui, response.id, time, (high - low) * STEP) {
+        commands.push(Command::GoTo(wanted.clamp(low, high)));
+    }
     if response.has_focus() {
         ui.memory_mut(|memory| {
             let filter = egui::EventFilter { horizontal_arrows: true, ..Default::default() };
@@ -97,9 +112,22 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             f64::from(input.num_presses(Key::ArrowRight) as u32) - f64::from(input.num_presses(Key::ArrowLeft) as u32)
         });
         if by != 0.0 {
-            commands.push(Command::GoTo((time + by * (high - low) / 100.0).clamp(low, high)));
+            commands.push(Command::GoTo((time + by * (high - low) * STEP).clamp(low, high)));
         }
     }
+}
+
+/// The times (s) that a screen reader asks for.
+fn reader_wishes(ui: &Ui, id: egui::Id, time: f64, step: f64) -> Vec<f64> {
+    ui.input(|input| {
+        let set = input.accesskit_action_requests(id, Action::SetValue).filter_map(|request| match request.data {
+            Some(ActionData::NumericValue(wanted)) => Some(wanted),
+            _ => None,
+        });
+        let on = input.accesskit_action_requests(id, Action::Increment).map(|_| time + step);
+        let back = input.accesskit_action_requests(id, Action::Decrement).map(|_| time - step);
+        set.chain(on).chain(back).collect()
+    })
 }
 
 /// Round times for about `count` marks.

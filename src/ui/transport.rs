@@ -24,21 +24,21 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let clock = &look.sim.clock;
     ui.horizontal(|ui| {
         ui.set_height(42.0);
-        let mut button = |ui: &mut Ui, icon, name: &str, size, is_on, command: Command| {
+        let mut button = |ui: &mut Ui, icon, name: &str, size, state: Option<bool>, command: Command| {
             let name = keys_of(&command).map_or(name.to_owned(), |keys| format!("{name} ({keys})"));
-            if icon_button(ui, icon, &name, size, is_on).clicked() {
+            if icon_button(ui, icon, &name, size, state).clicked() {
                 commands.push(command);
             }
         };
-        button(ui, Icon::Restart, "restart", 34.0, false, Command::Restart);
-        button(ui, Icon::StepBack, "one step back", 34.0, false, Command::Step(-1));
+        button(ui, Icon::Restart, "restart", 34.0, None, Command::Restart);
+        button(ui, Icon::StepBack, "one step back", 34.0, None, Command::Step(-1));
         let (icon, name) = if clock.paused { (Icon::Play, "play") } else { (Icon::Pause, "pause") };
-        button(ui, icon, name, 42.0, !clock.paused, Command::PlayPause);
-        button(ui, Icon::StepOn, "one step on", 34.0, false, Command::Step(1));
-        button(ui, Icon::Reverse, "reverse time", 34.0, clock.speed < 0.0, Command::Reverse);
+        button(ui, icon, name, 42.0, Some(!clock.paused), Command::PlayPause);
+        button(ui, Icon::StepOn, "one step on", 34.0, None, Command::Step(1));
+        button(ui, Icon::Reverse, "reverse time", 34.0, Some(clock.speed < 0.0), Command::Reverse);
         // Where it never flips its place stays, and so does all that stands behind it.
         ui.add_enabled_ui(look.timeline.first_flip.is_some(), |ui| {
-            button(ui, Icon::Next, "to the next flip", 34.0, false, Command::NextFlip);
+            button(ui, Icon::Next, "to the next flip", 34.0, None, Command::NextFlip);
         });
         ui.add_space(8.0);
         let time = format!("{:.2} s", look.sim.time()).replace('-', "−");
@@ -57,13 +57,18 @@ fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let speed = look.sim.clock.speed;
     let text = RichText::new(numbers::speed(speed)).monospace().size(16.0);
     ui.add_sized([58.0, 24.0], egui::Label::new(text).halign(Align::Max));
-    let mut power = speed.abs().log2();
+    let mut wanted = speed.abs();
     ui.spacing_mut().slider_width = 110.0;
     let (low, high) = SPEED_POWERS;
-    let slider = Slider::new(&mut power, f64::from(low)..=f64::from(high)).step_by(1.0).show_value(false);
+    let range = f64::from(low).exp2()..=f64::from(high).exp2();
+    let slider = Slider::new(&mut wanted, range).logarithmic(true).smart_aim(false).show_value(false);
     let slid = ui.add(slider).on_hover_text("simulated seconds a real second (+ −)");
-    if slid.labelled_by(ui.label("speed").id).changed() {
-        commands.push(Command::SetSpeed(power.exp2()));
+    let slid = slid.labelled_by(ui.label("speed").id);
+    if slid.changed() {
+        // The speeds are powers of two; the keyboard goes to the next one.
+        let power = (wanted / speed.abs()).log2();
+        let power = if slid.is_pointer_button_down_on() { power.round() } else { power.abs().ceil().copysign(power) };
+        commands.push(Command::SetSpeed(speed.abs() * power.exp2()));
     }
     // Said only where the machine cannot keep up: otherwise it is the speed that is set.
     if let Some(factor) = look.real_time_factor

@@ -3,6 +3,7 @@
 use egui::{Color32, PointerButton, Pos2, Rect, Sense, Stroke, Ui, Vec2};
 
 use super::{Command, Look, command::Pixels, style};
+use crate::physics::poinsot;
 
 /// How long (s) the polhode under a pointer at rest is shown.
 const PREVIEW_SECONDS: f32 = 2.5;
@@ -29,7 +30,9 @@ impl Viewport {
         let rect = ui.available_rect_before_wrap();
         let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         response.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, "the body in the world and in its own frame")
+            let class = poinsot::classify(&look.scene.body, look.scene.start.body_momentum).label();
+            let seen = format!("{}: the body seen from the room, and its momentum sphere; {class}", look.title());
+            egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, seen)
         });
         let scale = ui.ctx().pixels_per_point();
         let pixels = |v: Vec2| Pixels::new(v.x, v.y) * scale;
@@ -79,7 +82,8 @@ impl Viewport {
         if response.hovered() && still < PREVIEW_SECONDS {
             ui.ctx().request_repaint_after_secs(PREVIEW_SECONDS - still);
         }
-        let pointer = response.hover_pos().filter(|_| !response.dragged() && still < PREVIEW_SECONDS).map(within);
+        let is_asking = |pointer: &Pos2| !response.dragged() && still < PREVIEW_SECONDS && !at_tip(*pointer);
+        let pointer = response.hover_pos().filter(is_asking).map(within);
         if pointer != self.pointer {
             self.pointer = pointer;
             commands.push(Command::Hover(pointer));
@@ -112,5 +116,8 @@ fn preview(ui: &Ui, rect: Rect, scale: f32, look: &Look<'_>) {
         (egui::Align2::LEFT_BOTTOM, 12.0)
     };
     let place = at(&preview.at) + Vec2::new(aside, -12.0);
-    painter.text(place, align, preview.words, egui::FontId::proportional(15.0), front.color);
+    let words = painter.layout_no_wrap(preview.words.to_owned(), egui::FontId::proportional(17.0), front.color);
+    let ground = align.anchor_size(place, words.size());
+    painter.rect_filled(ground.expand(4.0), 4.0, look.ground.gamma_multiply(0.8));
+    painter.galley(ground.min, words, front.color);
 }

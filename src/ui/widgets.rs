@@ -30,6 +30,7 @@ impl NumberRow<'_> {
     /// Shows it; the response tells whether the value changed.
     pub(super) fn ui(self, ui: &mut Ui, value: &mut f64) -> Response {
         let (low, high) = self.range;
+        let hint = format!("{} ({})", self.hint, self.unit.trim());
         ui.horizontal(|ui| {
             let label = ui
                 .allocate_ui_with_layout(
@@ -48,7 +49,7 @@ impl NumberRow<'_> {
             if let Some(smallest) = self.logarithmic {
                 slider = slider.logarithmic(true).smallest_positive(smallest).smart_aim(true);
             }
-            let slid = ui.add(slider).labelled_by(label.id).on_hover_text(self.hint);
+            let slid = ui.add(slider).labelled_by(label.id).on_hover_text(&hint);
             let speed = if self.logarithmic.is_some() { value.abs().max(1e-9) * 0.01 } else { (high - low) / 500.0 };
             let before = *value;
             let number = DragValue::new(value)
@@ -69,7 +70,8 @@ impl NumberRow<'_> {
                     },
                 )
                 .inner
-                .labelled_by(label.id);
+                .labelled_by(label.id)
+                .on_hover_text(&hint);
             // A number that was only visited keeps the digits that are not shown.
             if typed.changed() && !typed.dragged() && fitting(*value, self.unit) == fitting(before, self.unit) {
                 *value = before;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::{Base, Session, keep_choices};
+use super::{Base, Session, Slide, keep_choices, title_of};
 use crate::app::{files, start};
 use crate::objects::Cameras;
 use crate::physics::{Motion, so3};
@@ -14,8 +14,6 @@ use crate::ui::Pixels;
 
 /// Steps that a change of method or step may take to come back to the same time; past that it starts over.
 const MOST_CATCHING_UP: f64 = 2e5;
-/// Longest scene file read (bytes).
-const LARGEST_FILE: u64 = 1 << 20;
 
 impl Session {
     /// Takes a changed scene where it is a scene, and says what is wrong with it where it is not.
@@ -106,17 +104,28 @@ impl Session {
         }
     }
 
-    pub(super) fn open_file(&mut self, path: &Path) {
-        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-        match read_scene(path) {
+    /// Opens what was read of a path: a scene, or a folder of them to go through.
+    pub(in crate::app) fn open_files(&mut self, path: &Path, read: Result<Vec<Slide>, String>) {
+        let slides = match read {
+            Ok(slides) => slides,
+            Err(why) => return self.say(why),
+        };
+        if path.is_dir() {
+            self.titles = slides.iter().map(title_of).collect();
+            self.slides = slides;
+            self.open_slide(0);
+            return self.say(format!("{} scenes of {}", self.slides.len(), path.display()));
+        }
+        let Some(slide) = slides.into_iter().next() else { return };
+        match Scene::check(&slide.file) {
             Ok(scene) => {
                 let warning = scene.warnings().into_iter().next();
-                self.base = Base { name: path.display().to_string(), file: scene.file.clone() };
+                self.base = Base { name: slide.name.clone(), file: slide.file };
                 self.open_scene(scene);
                 self.open = None;
-                self.say(warning.unwrap_or(name));
+                self.say(warning.unwrap_or(slide.name));
             }
-            Err(why) => self.say(format!("{name}: {why}")),
+            Err(error) => self.say(format!("{}: {error}", slide.name)),
         }
     }
 
@@ -143,14 +152,4 @@ impl Session {
             Err(why) => self.say(why),
         }
     }
-}
-
-fn read_scene(path: &Path) -> Result<Scene, String> {
-    let length = std::fs::metadata(path).map_err(|error| error.to_string())?.len();
-    if length > LARGEST_FILE {
-        return Err(format!("it is {length} bytes long, and a scene has at most {LARGEST_FILE}"));
-    }
-    let text = std::fs::read_to_string(path).map_err(|error| error.to_string())?;
-    let file = SceneFile::parse(&text).map_err(|error| error.to_string())?;
-    Scene::check(&file).map_err(|error| error.to_string())
 }

@@ -3,7 +3,7 @@
 mod edit;
 mod time;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use web_time::{Duration, Instant};
 
@@ -17,8 +17,9 @@ use crate::scene::{Layout, Preset, Scene, SceneFile, Theme, View, presets};
 use crate::sim::{FlipWatch, History, Simulation};
 use crate::ui::{Command, Item, Look, Pixels, Preview, Shown, Spin, Timeline};
 
-/// How long a message stays.
-const MESSAGE_TIME: Duration = Duration::from_secs(4);
+/// How long a message stays, and how much longer for each of its characters.
+const MESSAGE_TIME: Duration = Duration::from_secs(3);
+const READING_TIME: Duration = Duration::from_millis(60);
 
 /// The state behind the window.
 #[derive(Debug)]
@@ -60,6 +61,8 @@ pub(super) enum Request {
     },
     /// Puts the command that draws this picture on the clipboard.
     CopyCommand,
+    /// Reads a scene, or a folder of them, and opens it.
+    Open(PathBuf),
     /// Moves the keyboard's focus into the panel.
     FocusPanel,
 }
@@ -133,7 +136,14 @@ impl Session {
 
     /// Shows a sentence for a while.
     pub(super) fn say(&mut self, text: impl Into<String>) {
-        self.message = Some((text.into(), Instant::now() + MESSAGE_TIME));
+        let text = text.into();
+        let time = MESSAGE_TIME + READING_TIME * text.chars().count() as u32;
+        self.message = Some((text, Instant::now() + time));
+    }
+
+    /// Takes back what was said.
+    pub(super) fn say_nothing(&mut self) {
+        self.message = None;
     }
 
     /// When the message goes.
@@ -179,7 +189,7 @@ impl Session {
             // From a scene that is none of them, back is the last.
             Command::PreviousScene => self.open_slide(self.open.unwrap_or(self.slides.len()).saturating_sub(1)),
             Command::OpenScene(index) => self.open_slide(index),
-            Command::OpenFile(path) => self.open_file(&path),
+            Command::OpenFile(path) => return Some(Request::Open(path)),
             Command::SaveScene => self.save(),
             Command::Orbit { at, by } => self.move_camera(at, |camera, side| camera.orbit(by / side)),
             Command::Pan { at, by } => self.move_camera(at, |camera, side| camera.pan(by / side)),
@@ -286,10 +296,11 @@ impl Session {
     }
 }
 
-/// Everything that can be drawn.
+/// Everything that can be drawn, what is usually shown first.
 fn items(view: &View) -> Vec<Item> {
-    objects::OBJECTS
-        .iter()
+    let usual = objects::OBJECTS.iter().filter(|object| object.shown);
+    usual
+        .chain(objects::OBJECTS.iter().filter(|object| !object.shown))
         .map(|object| Item {
             name: object.name,
             label: object.label,
