@@ -51,7 +51,9 @@ fn sheet(ui: &mut Ui, look: &Look<'_>, columns: usize) {
         }
     });
     ui.separator();
-    ui.label("Mouse: drag to orbit, right or Shift drag to pan, wheel to zoom, click the sphere for a new start.");
+    ui.label(
+        "Mouse: drag to orbit, right or Shift drag to pan, wheel to zoom; drag M or click its sphere for a new start.",
+    );
     ui.label("Keyboard alone: F6, then Tab and Shift+Tab (or arrows) from one to the next, arrows to slide,");
     ui.label("digits to type a number, Space or Enter to press, Esc to leave; F6 again comes back to the same place.");
 }
