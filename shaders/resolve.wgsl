@@ -1,10 +1,10 @@
 // The mean of a pixel's samples.
 @group(0) @binding(0) var samples: texture_multisampled_2d<f32>;
 
-// One triangle that covers the picture.
+// The corners of what is to be resolved (normalised device coordinates).
 @vertex
-fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
-    return vec4f(4.0 * vec2f(f32(index & 1u), f32(index >> 1u)) - 1.0, 0.0, 1.0);
+fn vertex(@location(0) ndc: vec2f) -> @builtin(position) vec4f {
+    return vec4f(ndc, 0.0, 1.0);
 }
 
 @fragment

@@ -3,23 +3,60 @@
 use glam::{Mat3, Vec2, Vec3};
 
 use super::Context;
-use crate::frame::{Label, Line, LinePoint, Quadric, QuadricPair, View, single, single_matrix};
+use crate::frame::{Color, Label, Line, LinePoint, Quadric, QuadricPair, View, single, single_matrix};
 use crate::physics::{Motion, State};
 
 /// Half length of the drawn axes, and radius of the sphere.
 const REACH: f32 = 1.12;
 const TRAIL_POINTS: u32 = 600;
 
+/// How far the names of the axes stand out of the body.
+const STUB: f32 = 0.16;
+
+/// How much of an axis must look towards the eye for its number to be seen whole.
+const FACING: f32 = 0.3;
+
+/// A short piece of each axis out of the body, with its number: which one is which on the momentum sphere. It is the end on
+/// the side of the eye, which the body never hides; both ends fade while they change places.
+pub(super) fn names(context: &Context<'_>, view: &mut View) {
+    if !context.shows("body") {
+        return;
+    }
+    let world_from_principal = world_from_principal(context, context.simulation.state());
+    let eye = view.camera.eye().normalize_or_zero();
+    for number in 0..3 {
+        let axis = world_from_principal.col(number);
+        let facing = axis.dot(eye);
+        let axis = if facing < 0.0 { -axis } else { axis };
+        // Not in the colour of the axis, which is that of the face under it.
+        let color = context.palette.ink.fade((facing.abs() / FACING).min(1.0));
+        // The body's farthest point along the axis.
+        let parts = super::body::placed_parts(context, context.simulation.state());
+        let reach = parts.map(|(centre, map, ..)| axis.dot(centre) + (map.transpose() * axis).abs().element_sum());
+        let foot = axis * reach.fold(0.0, f32::max);
+        if foot.is_finite() {
+            named_end(view, foot, foot + axis * STUB, number, color, 0.0);
+        }
+    }
+}
+
+/// A piece of an axis, with its number at the end.
+fn named_end(view: &mut View, from: Vec3, end: Vec3, number: usize, color: Color, hidden: f32) {
+    let (right, up, _) = view.camera.axes();
+    view.lines.push(Line::new([from, end], 2.6, color).through(hidden));
+    let along = Vec2::new(end.dot(right), end.dot(up)).normalize_or(Vec2::X);
+    // Beside the end rather than above it, where L and ω may stand.
+    let toward = Vec2::new(along.x + 0.8 * (1.0 - along.x.abs()), 0.5 * along.y);
+    let text = ["1", "2", "3"][number].to_owned();
+    view.labels.push(Label { anchor: end, toward, gap: 5.0, text, size: 22.0, color, priority: 4, moves: true });
+}
+
 /// The three axes, named at their positive ends.
 pub(super) fn axes(context: &Context<'_>, view: &mut View) {
     let world_from_principal = world_from_principal(context, context.simulation.state());
-    let (right, up, _) = view.camera.axes();
     for (number, color) in context.palette.axes.into_iter().enumerate() {
         let end = world_from_principal.col(number) * REACH;
-        view.lines.push(Line::new([-end, end], 2.6, color).through(0.35));
-        let toward = Vec2::new(end.dot(right), end.dot(up));
-        let text = ["1", "2", "3"][number].to_owned();
-        view.labels.push(Label { anchor: end, toward, gap: 5.0, text, size: 22.0, color, priority: 4, moves: true });
+        named_end(view, -end, end, number, color, 0.35);
     }
 }
 

@@ -50,7 +50,7 @@ impl<'a> Context<'a> {
         let energy = scene.start.energy(&scene.body);
         let height = 2.0 * energy / momentum_length;
         let ratio = (2.0 * energy / scene.body.principal_moments().x).sqrt() / height;
-        let rolling = object_named("rolling-ellipsoid").is_some_and(|object| is_shown(object, settings));
+        let rolling = shows(settings, "rolling-ellipsoid");
         let plane_height = if rolling { OMEGA_HEIGHT.min(LONGEST_SEMI_AXIS / ratio) } else { OMEGA_HEIGHT };
         let turn = TAU / so3::norm(scene.start.body_angular_velocity(&scene.body));
         let flip = poinsot::flip_period(&scene.body, scene.start.body_momentum);
@@ -67,6 +67,11 @@ impl<'a> Context<'a> {
             plane_height,
             period: if period.is_finite() { period } else { 1.0 },
         }
+    }
+
+    /// Whether the settings show an object.
+    pub(super) fn shows(&self, name: &str) -> bool {
+        shows(self.settings, name)
     }
 
     /// Takes the body's own axes to the picture of the world.
@@ -134,6 +139,10 @@ impl<'a> Context<'a> {
     fn unit(&self, momentum: DVec3) -> DVec3 {
         if self.momentum_length > 0.0 { momentum / self.momentum_length } else { DVec3::ZERO }
     }
+}
+
+fn shows(settings: &scene::View, name: &str) -> bool {
+    object_named(name).is_some_and(|object| is_shown(object, settings))
 }
 
 /// The shortest turn that takes a momentum to the vertical.

@@ -13,7 +13,7 @@ use crate::frame::{single, single_matrix};
 use crate::physics::{Motion, poinsot};
 
 /// Radius of the drawn part of the plane.
-const PLANE_RADIUS: f32 = 1.25;
+const PLANE_RADIUS: f32 = 1.15;
 /// Flips before and after now that the herpolhode is drawn for.
 const FLIPS: f64 = 3.0;
 const HERPOLHODE_POINTS: u32 = 1600;
@@ -46,15 +46,19 @@ pub(super) fn shadow(context: &Context<'_>, view: &mut View) {
     let map = Mat2::from_cols_array(&[a + root, b, b, d + root]) * scale * 2.4;
     let shade = context.palette.shadow;
     let centre = Vec3::new(middle.x, middle.y, floor.z + 0.004);
-    disc(view, centre, map, |r| shade.fade((1.0 - r * r).powi(2)));
+    disc(view, centre, map, 8, |r| shade.fade((1.0 - r * r).powi(2)));
 }
 
 /// The invariable plane itself, with its name.
 pub(super) fn plane(context: &Context<'_>, view: &mut View) {
     let centre = Vec3::new(0.0, 0.0, -context.plane_height());
     let ink = context.palette.ink;
-    disc(view, centre, Mat2::from_diagonal(Vec2::splat(PLANE_RADIUS)), |_| ink.alpha(0.05));
+    disc(view, centre, Mat2::from_diagonal(Vec2::splat(PLANE_RADIUS)), 1, |_| ink.alpha(0.05));
     view.lines.push(Line::new(circle(centre, PLANE_RADIUS), 1.4, ink.alpha(0.5)));
+    // Without Poinsot's construction on it it is the floor, and nobody asks for its name.
+    if !["rolling-ellipsoid", "herpolhode", "annulus"].into_iter().any(|name| context.shows(name)) {
+        return;
+    }
     let anchor = centre + nearside(view) * PLANE_RADIUS;
     name(view, "invariable plane", anchor, Vec2::new(0.4, -1.0), ink.alpha(0.8), false);
 }
@@ -147,19 +151,18 @@ fn circle(centre: Vec3, radius: f32) -> impl Iterator<Item = Vec3> {
     (0..=128).map(move |n| centre + (Vec2::from_angle(TAU * (n % 128) as f32 / 128.0) * radius).extend(0.0))
 }
 
-/// A level disc under a linear map, coloured by the distance from its middle (0 to 1).
-fn disc(view: &mut View, centre: Vec3, map: Mat2, color: impl Fn(f32) -> Color) {
-    const RINGS: u32 = 8;
-    const SPOKES: u32 = 36;
+/// A level disc under a linear map, coloured in so many rings by the distance from its middle (0 to 1).
+fn disc(view: &mut View, centre: Vec3, map: Mat2, rings: u32, color: impl Fn(f32) -> Color) {
+    const SPOKES: u32 = 48;
     let mut mesh = Mesh::default();
-    for ring in 0..=RINGS {
-        let r = ring as f32 / RINGS as f32;
+    for ring in 0..=rings {
+        let r = ring as f32 / rings as f32;
         for spoke in 0..SPOKES {
             let position = centre + (map * Vec2::from_angle(TAU * spoke as f32 / SPOKES as f32) * r).extend(0.0);
             mesh.vertices.push(Vertex { position, normal: Vec3::ZERO, color: color(r) });
         }
     }
-    for ring in 0..RINGS {
+    for ring in 0..rings {
         for spoke in 0..SPOKES {
             let (a, b) = (ring * SPOKES + spoke, ring * SPOKES + (spoke + 1) % SPOKES);
             mesh.indices.extend([a, a + SPOKES, b + SPOKES, a, b + SPOKES, b]);

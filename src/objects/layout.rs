@@ -49,7 +49,7 @@ impl Cameras {
             let distance = view.distance.map_or(1.0, |given| given as f32) * distance;
             Camera { target, ..Camera::new(azimuth, elevation, distance) }
         };
-        Self { world: camera(-60.0, 16.0, 5.7, Vec3::new(0.0, 0.0, 0.12)), body: camera(54.0, 22.0, 6.3, Vec3::ZERO) }
+        Self { world: camera(-60.0, 16.0, 5.85, Vec3::new(0.0, 0.0, 0.06)), body: camera(54.0, 22.0, 6.3, Vec3::ZERO) }
     }
 
     /// The camera of one space.

@@ -58,7 +58,7 @@ const fn object(
 /// All objects, in the order in which they are added.
 pub static OBJECTS: &[Object] = &[
     object("shadow", "Shadow", Space::World, true, floor::shadow),
-    object("plane", "Invariable plane", Space::World, false, floor::plane),
+    object("plane", "Invariable plane", Space::World, true, floor::plane),
     object("annulus", "Annulus of the herpolhode", Space::World, false, floor::annulus),
     object("herpolhode", "Herpolhode", Space::World, false, floor::herpolhode),
     object("rolling-ellipsoid", "Poinsot's rolling ellipsoid", Space::World, false, floor::rolling_ellipsoid),
@@ -68,6 +68,7 @@ pub static OBJECTS: &[Object] = &[
     object("axis-2-trail", "Trail of axis 2", Space::World, false, body_axes::trail_of_axis::<1>),
     object("axis-3-trail", "Trail of axis 3", Space::World, false, body_axes::trail_of_axis::<2>),
     object("body", "Body", Space::World, true, body::draw),
+    object("axis-names", "Numbers of the axes", Space::World, true, body_axes::names),
     object("body-axes", "Axes of the body", Space::World, false, body_axes::axes),
     object("ghosts", "Bodies of the other methods", Space::World, true, ghosts::bodies),
     object("momentum", "Angular momentum L", Space::World, true, vectors::momentum),

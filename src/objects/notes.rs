@@ -1,6 +1,6 @@
 //! The words under a view: from where it is seen, and which method is drawn how.
 
-use super::{Context, ghosts, is_shown, object_named};
+use super::{Context, ghosts};
 use crate::frame::{Dash, Mark, Note, Sample, View};
 use crate::physics::Method;
 use crate::scene::Layout;
@@ -20,7 +20,7 @@ pub(super) fn body(context: &Context<'_>, view: &mut View) {
     if context.settings.layout == Layout::Body {
         legend(context, view);
     }
-    let axes = object_named("axes").is_some_and(|object| is_shown(object, context.settings));
+    let axes = context.shows("axes");
     let unit = if axes { " (I in kg m²)" } else { "" };
     caption(context, view, &format!("seen from the body: L moves, called M{unit}"));
 }

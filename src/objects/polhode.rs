@@ -22,7 +22,7 @@ pub(super) fn draw(context: &Context<'_>, view: &mut View) {
     // A steady spin is a point of the sphere and no line.
     let is_line = points.iter().any(|point| point.distance(points[0]) > 0.05);
     if let Some(&anchor) = points.iter().filter(|_| is_line).max_by(|a, b| fitness(**a).total_cmp(&fitness(**b))) {
-        let (text, color) = ("polhode".to_owned(), context.palette.polhode);
+        let (text, color) = ("polhode: path of M".to_owned(), context.palette.polhode);
         let toward = Vec2::new(1.0, 0.4);
         view.labels.push(Label { anchor, toward, gap: 12.0, text, size: 19.0, color, priority: 4, moves: false });
     }

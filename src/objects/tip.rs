@@ -18,7 +18,7 @@ pub(super) fn tip(context: &Context<'_>, view: &mut View) {
     }
     arrow::add(view, Vec3::ZERO, tip * 0.97, color);
     let rim = context.palette.background;
-    view.points.push(Point { position: tip, size: 17.0, mark: Mark::Disc, color, rim, hidden: 0.7, moves: true });
+    view.points.push(Point { position: tip, size: 17.0, mark: Mark::Disc, color, rim, hidden: 0.55, moves: true });
     let text = "M".to_owned();
     let toward = Vec2::new(0.6, 1.0);
     view.labels.push(Label { anchor: tip, toward, gap: 14.0, text, size: 26.0, color, priority: 9, moves: true });

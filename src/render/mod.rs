@@ -17,6 +17,7 @@ mod resolve;
 mod solid;
 mod targets;
 mod text;
+mod touched;
 mod view;
 
 pub use gpu::{AdapterDescription, Gpu, GpuError, adapters, no_adapter};

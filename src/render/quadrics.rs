@@ -140,7 +140,7 @@ fn pair_uniform(pair: &QuadricPair, [near, far]: [f32; 2]) -> PairUniform {
 
 /// Triangles of the screen that hold both quadrics and little else: the convex hull of the corners of polyhedra
 /// round them. The whole screen where one reaches behind the eye.
-fn covering_triangles(pair: &QuadricPair, clip_from_world: Mat4) -> Vec<Vec2> {
+pub(super) fn covering_triangles(pair: &QuadricPair, clip_from_world: Mat4) -> Vec<Vec2> {
     let mut points = vec![];
     for quadric in [Some(pair.first), pair.second].into_iter().flatten() {
         let clip_from_unit = clip_from_world * quadric.unit_from_world.inverse();

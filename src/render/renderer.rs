@@ -13,6 +13,7 @@ use super::resolve::Resolve;
 use super::solid::Solids;
 use super::targets::Targets;
 use super::text::Texts;
+use super::touched::Touched;
 use super::view::ViewUniform;
 use crate::frame::Frame;
 
@@ -75,6 +76,15 @@ impl Renderer {
         self.points.upload(device, queue, frame);
         self.texts.upload(device, queue, frame, &uniforms, picture, point);
 
+        if let Some(resolve) = &mut self.resolve {
+            let mut touched = Touched::none(picture);
+            touched.add_frame(frame, &uniforms, picture, point);
+            for [low, high] in self.texts.boxes() {
+                touched.add(*low, *high);
+            }
+            resolve.upload(device, queue, &touched.rectangles(), picture);
+        }
+
         let targets = match self.targets.take() {
             Some(targets) if targets.size == size => targets,
             _ => Targets::new(device, size),
@@ -122,7 +132,7 @@ impl Renderer {
             }
         }
         if let Some(resolve) = &self.resolve {
-            resolve.draw(device, &mut encoder, &targets.color, target);
+            resolve.draw(device, &mut encoder, &targets.color, target, clear_color(frame));
         }
         queue.submit([encoder.finish()]);
         self.targets = Some(targets);

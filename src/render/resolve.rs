@@ -1,6 +1,9 @@
 //! From samples to pixels by a shader of our own, where the processor draws: Mesa's software driver compiles its own anew
-//! in every process (35 ms), ours comes from its cache, and is no slower.
+//! in every process (35 ms), ours comes from its cache, and is done only where anything was drawn.
 
+use glam::Vec2;
+
+use super::buffer::FrameBuffer;
 use super::pipeline::SAMPLES;
 use super::renderer::FORMAT;
 
@@ -8,6 +11,9 @@ use super::renderer::FORMAT;
 pub(super) struct Resolve {
     pipeline: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
+    corners: FrameBuffer,
+    /// How many corners.
+    count: u32,
 }
 
 impl Resolve {
@@ -40,7 +46,11 @@ impl Resolve {
                 module: &module,
                 entry_point: Some("vertex"),
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &[],
+                buffers: &[Some(wgpu::VertexBufferLayout {
+                    array_stride: size_of::<Vec2>() as u64,
+                    step_mode: wgpu::VertexStepMode::Vertex,
+                    attributes: &wgpu::vertex_attr_array![0 => Float32x2],
+                })],
             },
             primitive: wgpu::PrimitiveState::default(),
             depth_stencil: None,
@@ -54,16 +64,31 @@ impl Resolve {
             multiview_mask: None,
             cache: None,
         });
-        Self { pipeline, layout }
+        Self { pipeline, layout, corners: FrameBuffer::new("resolved parts", wgpu::BufferUsages::VERTEX), count: 0 }
     }
 
-    /// Takes the samples' means to `target`, of the same size.
+    /// Notes the parts of a picture of this size that are to be resolved: low and high corners (pixels).
+    pub(super) fn upload(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, parts: &[[Vec2; 2]], picture: Vec2) {
+        let ndc = |pixel: Vec2| (pixel / picture * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
+        let corners: Vec<Vec2> = parts
+            .iter()
+            .flat_map(|[low, high]| {
+                let [a, b, c, d] = [*low, Vec2::new(high.x, low.y), *high, Vec2::new(low.x, high.y)].map(ndc);
+                [a, b, c, a, c, d]
+            })
+            .collect();
+        self.count = corners.len() as u32;
+        self.corners.write(device, queue, bytemuck::cast_slice(&corners));
+    }
+
+    /// Takes the samples' means to `target`, of the same size; what is not resolved gets this colour.
     pub(super) fn draw(
         &self,
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
         samples: &wgpu::TextureView,
         target: &wgpu::TextureView,
+        ground: wgpu::Color,
     ) {
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("samples"),
@@ -76,16 +101,17 @@ impl Resolve {
                 view: target,
                 depth_slice: None,
                 resolve_target: None,
-                // Every pixel is written: to clear them first would be for nothing.
-                ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
+                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(ground), store: wgpu::StoreOp::Store },
             })],
             depth_stencil_attachment: None,
             timestamp_writes: None,
             occlusion_query_set: None,
             multiview_mask: None,
         });
+        let Some(corners) = self.corners.get().filter(|_| self.count > 0) else { return };
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &group, &[]);
-        pass.draw(0..3, 0..1);
+        pass.set_vertex_buffer(0, corners.slice(..));
+        pass.draw(0..self.count, 0..1);
     }
 }

@@ -36,6 +36,8 @@ pub(super) struct Texts {
     glyphs: Glyphs,
     instances: QuadBuffer,
     views: Vec<Range<u32>>,
+    /// Of each text with its halo, in the picture: low and high corners (pixels).
+    boxes: Vec<[Vec2; 2]>,
 }
 
 impl Texts {
@@ -93,7 +95,7 @@ impl Texts {
             writes_depth: false,
         });
         let instances = QuadBuffer::new("glyphs");
-        Self { pipeline, group, atlas, glyphs: Glyphs::new(), instances, views: vec![] }
+        Self { pipeline, group, atlas, glyphs: Glyphs::new(), instances, views: vec![], boxes: vec![] }
     }
 
     pub(super) fn upload(
@@ -107,6 +109,7 @@ impl Texts {
     ) {
         let mut instances = vec![];
         self.views.clear();
+        self.boxes.clear();
         self.glyphs.begin_frame();
         let halo = frame.background.alpha(HALO_OPACITY);
         for (view, uniform) in frame.views.iter().zip(uniforms) {
@@ -123,6 +126,13 @@ impl Texts {
                 place.map(|place| (line, place.low, label.color.fade(place.opacity)))
             });
             let texts: Vec<_> = placed.chain(notes.iter().map(|(line, low, color)| (line, *low, *color))).collect();
+            let corner = view.area.corner * picture;
+            let rim = Vec2::splat(HALO * point + 2.0);
+            let around = |(line, low, _): &(&TextLine, Vec2, Color)| {
+                let low = corner + *low;
+                [low - rim, low + Vec2::from_array(line.extent) + rim]
+            };
+            self.boxes.extend(texts.iter().map(around));
             for (radius, ink) in [(HALO * point, false), (0.0, true)] {
                 for &(line, place, own) in &texts {
                     let color = if ink { own } else { halo.fade(own.0[3]) };
@@ -182,6 +192,11 @@ impl Texts {
             (line, low, note.color)
         })
         .collect()
+    }
+
+    /// Where the texts of the frame last uploaded are: low and high corners (pixels).
+    pub(super) fn boxes(&self) -> &[[Vec2; 2]] {
+        &self.boxes
     }
 
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {

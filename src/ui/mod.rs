@@ -156,7 +156,7 @@ fn strip_frame(ui: &Ui, bottom: i8) -> Frame {
 
 fn transport_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let strip = Panel::bottom("transport").frame(strip_frame(ui, 4)).show_separator_line(false);
-    strip.exact_size(92.0).show(ui, |ui| transport::show(ui, look, commands));
+    strip.exact_size(98.0).show(ui, |ui| transport::show(ui, look, commands));
 }
 
 fn scene_picker(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) -> egui::Response {

@@ -4,7 +4,7 @@ use egui::{Align, Grid, Layout, RichText, Sense, Stroke, Ui};
 
 use super::widgets::{note, section};
 use super::{Look, numbers, style};
-use crate::physics::{poinsot, so3};
+use crate::physics::{MotionClass, poinsot, so3};
 use crate::sim::Errors;
 
 /// Drift that reaches the edge of an invariant's frame (relative).
@@ -17,7 +17,16 @@ pub(super) fn motion(ui: &mut Ui, look: &Look<'_>) {
     let scene = look.scene;
     let start = &scene.start;
     section(ui, "Motion");
-    note(ui, poinsot::classify(&scene.body, start.body_momentum).label());
+    let class = poinsot::classify(&scene.body, start.body_momentum);
+    let flips = look.timeline.first_flip.is_some();
+    note(
+        ui,
+        match class {
+            MotionClass::AboutAxis1 if flips => "M circles axis 1, past axis 2: it flips",
+            MotionClass::AboutAxis3 if flips => "M circles axis 3, past axis 2: it flips",
+            other => other.label(),
+        },
+    );
     let state = look.sim.state();
     let omega = scene.body.body_from_principal().transpose() * state.body_angular_velocity(&scene.body);
     let rate = so3::norm(omega);
@@ -43,6 +52,8 @@ fn kept(ui: &mut Ui, look: &Look<'_>, (name, value): (&str, &str), drift: f64, o
         let (rect, response) = ui.allocate_exact_size(egui::vec2(ui.available_width(), 18.0), Sense::hover());
         response.on_hover_text("Its course over the time of the scrub bar: flat where it stays; the edges are ±1 %");
         let painter = ui.painter().with_clip_rect(rect);
+        // A ground of its own, so that it is read as a graph.
+        painter.rect_filled(rect, 3.0, ui.visuals().extreme_bg_color);
         let (low, high) = (look.timeline.low, look.timeline.high);
         for piece in look.history.pieces(|sample| sample.errors.first().map(of)) {
             let points = piece.into_iter().map(|[time, error]| {

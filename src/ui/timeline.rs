@@ -54,7 +54,7 @@ impl Timeline {
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let Timeline { low, high, .. } = *look.timeline;
     let time = look.sim.time();
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 30.0), Sense::click_and_drag());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 38.0), Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::slider(true, time, "time (s)"));
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_min_numeric_value(low);
@@ -70,13 +70,21 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let accent = style::accent(is_dark);
     let rail = ui.visuals().widgets.inactive.bg_fill;
     let soft = ui.visuals().weak_text_color.unwrap_or(rail);
-    let y = rect.top() + 8.0;
+    let y = rect.top() + 18.0;
     let painter = ui.painter();
     let bar = |from: f32, to: f32| Rect::from_min_max(pos2(from.min(to), y - 2.0), pos2(from.max(to), y + 2.0));
     painter.rect_filled(bar(track.left(), track.right()), 2.0, rail);
     painter.rect_filled(bar(at(0.0), at(time.clamp(low, high))), 2.0, accent);
+    let flip_color = style::warning(is_dark);
     for flip in look.timeline.flips((high - low) / f64::from(track.width()) * 5.0) {
-        painter.vline(at(flip), (y - 6.0)..=(y + 6.0), Stroke::new(1.5, style::warning(is_dark)));
+        painter.vline(at(flip), (y - 6.0)..=(y + 6.0), Stroke::new(1.5, flip_color));
+    }
+    // One tick says what they are.
+    if let Some(next) =
+        look.timeline.next_flip(time, look.sim.clock.speed < 0.0).filter(|next| (low..=high).contains(next))
+    {
+        let place = pos2(at(next).clamp(track.left() + 8.0, track.right() - 8.0), y - 6.0);
+        painter.text(place, Align2::CENTER_BOTTOM, "flip", FontId::proportional(13.5), flip_color);
     }
     for mark in marks(low, high, f64::from(track.width()) / 90.0) {
         let text = format!("{} s", trimmed(&significant(mark, 6)));
