@@ -23,7 +23,7 @@ pub struct Look<'a> {
     pub flips: &'a FlipWatch,
     /// The flips that come, and how far the scrub bar reaches.
     pub timeline: &'a Timeline,
-    /// The ground of the picture: what belongs to it stands on the same.
+    /// The ground of the picture, for what is written over it.
     pub ground: egui::Color32,
     /// Colours of the principal axes 1, 2, 3 in the picture.
     pub axis_colors: [egui::Color32; 3],

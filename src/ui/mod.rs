@@ -70,7 +70,8 @@ impl Panels {
         self.focus_wanted = true;
     }
 
-    /// Shows everything around and over the picture.
+    /// Shows everything around and over the picture. The ground of the panels is the colour the window is cleared to: to
+    /// paint it once more would be dear where there is no GPU.
     pub fn ui(&mut self, ui: &mut Ui, look: &Look<'_>) -> Outcome {
         let mut commands = Vec::new();
         let room = ui.available_size();
@@ -88,7 +89,7 @@ impl Panels {
         let picture = PICTURE_SHARE * room.y;
         if look.shown.charts {
             let height = (ui.available_height() - picture).clamp(CHARTS_HEIGHT.0, CHARTS_HEIGHT.1);
-            let frame = strip_frame(ui, 0);
+            let frame = strip_frame(0);
             let strip = Panel::bottom("charts").frame(frame).show_separator_line(false);
             strip.exact_size(height).show(ui, |ui| self.charts.ui(ui, look, &mut commands));
         }
@@ -111,7 +112,7 @@ impl Panels {
 
     fn panel(&mut self, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         let margin = Margin { left: 18, right: 8, top: 14, bottom: 10 };
-        let frame = Frame::new().fill(ui.visuals().panel_fill).inner_margin(margin);
+        let frame = Frame::new().inner_margin(margin);
         let panel = Panel::right("controls").frame(frame).resizable(false).show_separator_line(false);
         panel.exact_size(style::PANEL_WIDTH).show(ui, |ui| {
             ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
@@ -148,14 +149,13 @@ impl Panels {
     }
 }
 
-/// The ground of a strip below the picture.
-fn strip_frame(ui: &Ui, bottom: i8) -> Frame {
-    let margin = Margin { left: 16, right: 16, top: 6, bottom };
-    Frame::new().fill(ui.visuals().panel_fill).inner_margin(margin)
+/// The margins of a strip below the picture.
+fn strip_frame(bottom: i8) -> Frame {
+    Frame::new().inner_margin(Margin { left: 16, right: 16, top: 6, bottom })
 }
 
 fn transport_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let strip = Panel::bottom("transport").frame(strip_frame(ui, 4)).show_separator_line(false);
+    let strip = Panel::bottom("transport").frame(strip_frame(4)).show_separator_line(false);
     strip.exact_size(98.0).show(ui, |ui| transport::show(ui, look, commands));
 }
 

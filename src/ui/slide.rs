@@ -36,7 +36,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
         return;
     }
     let margin = Margin { left: SIDE, right: SIDE, top: ABOVE, bottom: BELOW };
-    let frame = Frame::new().fill(look.ground).inner_margin(margin);
+    let frame = Frame::new().inner_margin(margin);
     Panel::top("slide").frame(frame).show_separator_line(false).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = BETWEEN;
         for (text, size, color) in fitting {
