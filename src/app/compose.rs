@@ -1,7 +1,7 @@
 //! The picture's own texture, and the copy of it into the window. The picture is redrawn only when something in it
 //! changed; the panels around it come and go without it.
 
-use crate::render::{FORMAT, Gpu};
+use crate::render::{FORMAT, Gpu, Transfer};
 
 /// The picture's texture and what copies it.
 #[derive(Debug)]
@@ -20,48 +20,15 @@ struct Picture {
 
 impl Compose {
     pub(super) fn new(gpu: &Gpu, window_format: wgpu::TextureFormat) -> Self {
-        let device = &gpu.device;
-        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("picture in window"),
-            entries: &[wgpu::BindGroupLayoutEntry {
-                binding: 0,
-                visibility: wgpu::ShaderStages::FRAGMENT,
-                ty: wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Float { filterable: false },
-                    view_dimension: wgpu::TextureViewDimension::D2,
-                    multisampled: false,
-                },
-                count: None,
-            }],
-        });
-        let module = device.create_shader_module(wgpu::include_wgsl!("blit.wgsl"));
-        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("picture in window"),
-            bind_group_layouts: &[Some(&layout)],
-            immediate_size: 0,
-        });
-        let constants = [("decode", f64::from(u8::from(window_format.is_srgb())))];
-        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("picture in window"),
-            layout: Some(&pipeline_layout),
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("vertex"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &[],
-            },
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: None,
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &module,
-                entry_point: Some("fragment"),
-                compilation_options: wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() },
-                targets: &[Some(window_format.into())],
-            }),
-            multiview_mask: None,
-            cache: None,
-        });
+        let transfer = Transfer {
+            label: "picture in window",
+            source: wgpu::include_wgsl!("../../shaders/blit.wgsl"),
+            multisampled: false,
+            buffers: &[],
+            constants: &[("decode", f64::from(u8::from(window_format.is_srgb())))],
+            format: window_format,
+        };
+        let (pipeline, layout) = transfer.pipeline(&gpu.device);
         Self { pipeline, layout, picture: None }
     }
 

@@ -18,8 +18,10 @@ mod solid;
 mod targets;
 mod text;
 mod touched;
+mod transfer;
 mod view;
 
 pub use gpu::{AdapterDescription, Gpu, GpuError, adapters, no_adapter};
 pub use readback::{Canvas, Pixels};
 pub use renderer::{FORMAT, Renderer, point_size};
+pub use transfer::Transfer;

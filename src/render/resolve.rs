@@ -6,6 +6,7 @@ use glam::Vec2;
 use super::buffer::FrameBuffer;
 use super::pipeline::SAMPLES;
 use super::renderer::FORMAT;
+use super::transfer::Transfer;
 
 /// Averages the samples of a multisampled texture.
 pub(super) struct Resolve {
@@ -20,50 +21,19 @@ impl Resolve {
     pub(super) fn new(device: &wgpu::Device) -> Self {
         // The shader adds up four.
         const { assert!(SAMPLES == 4) };
-        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("samples"),
-            entries: &[wgpu::BindGroupLayoutEntry {
-                binding: 0,
-                visibility: wgpu::ShaderStages::FRAGMENT,
-                ty: wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Float { filterable: false },
-                    view_dimension: wgpu::TextureViewDimension::D2,
-                    multisampled: true,
-                },
-                count: None,
-            }],
-        });
-        let module = device.create_shader_module(wgpu::include_wgsl!("../../shaders/resolve.wgsl"));
-        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("resolve"),
-            bind_group_layouts: &[Some(&layout)],
-            immediate_size: 0,
-        });
-        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("resolve"),
-            layout: Some(&pipeline_layout),
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("vertex"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &[Some(wgpu::VertexBufferLayout {
-                    array_stride: size_of::<Vec2>() as u64,
-                    step_mode: wgpu::VertexStepMode::Vertex,
-                    attributes: &wgpu::vertex_attr_array![0 => Float32x2],
-                })],
-            },
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: None,
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &module,
-                entry_point: Some("fragment"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: &[Some(FORMAT.into())],
-            }),
-            multiview_mask: None,
-            cache: None,
-        });
+        let transfer = Transfer {
+            label: "resolve",
+            source: wgpu::include_wgsl!("../../shaders/resolve.wgsl"),
+            multisampled: true,
+            buffers: &[Some(wgpu::VertexBufferLayout {
+                array_stride: size_of::<Vec2>() as u64,
+                step_mode: wgpu::VertexStepMode::Vertex,
+                attributes: &wgpu::vertex_attr_array![0 => Float32x2],
+            })],
+            constants: &[],
+            format: FORMAT,
+        };
+        let (pipeline, layout) = transfer.pipeline(device);
         Self { pipeline, layout, corners: FrameBuffer::new("resolved parts", wgpu::BufferUsages::VERTEX), count: 0 }
     }
 
