@@ -19,7 +19,8 @@ const FACING: f32 = 0.3;
 /// A short piece of each axis out of the body, with its number: which one is which on the momentum sphere. It is the end on
 /// the side of the eye, which the body never hides; both ends fade while they change places.
 pub(super) fn names(context: &Context<'_>, view: &mut View) {
-    if !context.shows("body") {
+    // The whole axes have their own.
+    if !context.shows("body") || context.shows("body-axes") {
         return;
     }
     let world_from_principal = world_from_principal(context, context.simulation.state());

@@ -13,10 +13,8 @@ const CLEARANCE: f32 = 5.0;
 /// How much a label gives to stay near its wanted direction, against covering a mark.
 const MARK_COST: f32 = 1.5;
 
-/// Distance (points) at which a label begins to fade before a more important one.
+/// Distance (points) at which a label begins to fade before a more important one; where they meet it is gone.
 const FADES_WITHIN: f32 = 12.0;
-/// Opacity of one that is covered.
-const FADED: f32 = 0.12;
 
 /// Where a label stands.
 #[derive(Clone, Copy, Debug)]
@@ -110,13 +108,17 @@ pub(super) fn place(
     }
     let opacity = |number: usize, own: &Box2| {
         let label = &view.labels[number];
-        let others = view.labels.iter().zip(&places).filter_map(|(other, place)| Some((other, (*place)?)));
-        let others = others.filter(|(other, _)| (other.moves || label.moves) && other.priority > label.priority);
-        let moving = view.points.iter().filter(|mark| mark.moves && !label.moves);
-        let moving =
-            moving.filter_map(|mark| Some(Box2::around(project(mark.position)?, Vec2::splat(0.5 * mark.size * point))));
-        let gaps = others.map(|(_, place)| own.gap(&place)).chain(moving.map(|mark| own.gap(&mark)));
-        gaps.fold(1.0, |least: f32, gap| least.min(gap / (FADES_WITHIN * point))).max(FADED)
+        let rank = |number: usize| (view.labels[number].priority, std::cmp::Reverse(number));
+        let others = places.iter().enumerate().filter_map(|(other, place)| Some((other, (*place)?)));
+        let others =
+            others.filter(|(other, _)| (view.labels[*other].moves || label.moves) && rank(*other) > rank(number));
+        // A label that stands still gives way to moving marks as well, one that moves to what is written in the corner.
+        let marks = view.points.iter().filter(|mark| mark.moves && !label.moves);
+        let marks =
+            marks.filter_map(|mark| Some(Box2::around(project(mark.position)?, Vec2::splat(0.5 * mark.size * point))));
+        let notes = notes.iter().filter(|_| label.moves).copied();
+        let gaps = others.map(|(_, place)| place).chain(marks).chain(notes).map(|other| own.gap(&other));
+        gaps.fold(1.0, |least: f32, gap| least.min(gap / (FADES_WITHIN * point)))
     };
     let stand = |(number, place): (usize, &Option<Box2>)| {
         place.as_ref().map(|own| Place { low: own.low.round(), opacity: opacity(number, own) })
