@@ -1,8 +1,7 @@
 //! The `shot` command that draws what the window shows.
 
-use crate::camera::Camera;
 use crate::objects::Cameras;
-use crate::scene::{Layout, SceneFile, View, flags, quoted};
+use crate::scene::{Scene, SceneFile, flags, quoted};
 
 /// What the scene came from, as the command line names it.
 #[derive(Clone, Debug)]
@@ -22,7 +21,7 @@ pub(super) fn shot(base: &Base, file: &SceneFile, cameras: &Cameras, time: f64, 
         return None;
     }
     let mut file = file.clone();
-    set_camera(&mut file, &base.file, cameras);
+    cameras.write(&Scene::check(&base.file).ok()?.view, &mut file.view);
     let mut words = vec!["dzhanibekov".to_owned(), "shot".to_owned(), base.name.clone()];
     words.extend(flags(&base.file, &file));
     words.extend([
@@ -38,36 +37,4 @@ pub(super) fn shot(base: &Base, file: &SceneFile, cameras: &Cameras, time: f64, 
 /// Without the digits that adding up steps leaves at the end: a nanosecond is nothing to see.
 fn rounded_time(time: f64) -> f64 {
     if time.abs() < 1e6 { (time * 1e9).round() / 1e9 } else { time }
-}
-
-/// A scene knows one camera: that of the view shown, or of the world where both are.
-fn set_camera(file: &mut SceneFile, base: &SceneFile, cameras: &Cameras) {
-    let is_body = file.view.layout.unwrap_or_default() == Layout::Body;
-    let pick = |cameras: &Cameras| -> Camera { if is_body { cameras.body } else { cameras.world } };
-    let unset = |azimuth_deg, elevation_deg, distance| View { azimuth_deg, elevation_deg, distance, ..unset_view() };
-    let view = &base.view;
-    let now = pick(cameras);
-    if now == pick(&Cameras::new(&unset(view.azimuth, view.elevation, view.distance))) {
-        return;
-    }
-    let usual = pick(&Cameras::new(&unset(None, None, None)));
-    let rounded = |value: f32| (f64::from(value) * 1e3).round() / 1e3;
-    file.view.azimuth = Some(rounded(now.azimuth.to_degrees()));
-    file.view.elevation = Some(rounded(now.elevation.to_degrees()));
-    file.view.distance = Some(rounded(now.distance / usual.distance));
-}
-
-/// A view that nobody has set.
-fn unset_view() -> View {
-    View {
-        layout: Layout::default(),
-        theme: crate::scene::Theme::default(),
-        show: Vec::new(),
-        hide: Vec::new(),
-        labels: true,
-        font_scale: 1.0,
-        azimuth_deg: None,
-        elevation_deg: None,
-        distance: None,
-    }
 }

@@ -355,6 +355,6 @@ fn named(attributes: WindowAttributes) -> WindowAttributes {
 }
 
 fn title(session: &Session) -> String {
-    let title = session.scene.file.title.trim();
+    let title = session.name.trim();
     if title.is_empty() { "Dzhanibekov".to_owned() } else { format!("{title} — Dzhanibekov") }
 }

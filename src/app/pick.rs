@@ -30,9 +30,18 @@ impl Pane {
     /// Where the unit sphere is met under a pixel, on the near side.
     pub(super) fn sphere_under(&self, at: Pixels) -> Option<Vec3> {
         let inside = (at - self.corner) / self.extent;
-        if inside.min_element() < 0.0 || inside.max_element() > 1.0 {
-            return None;
-        }
+        let is_inside = inside.min_element() >= 0.0 && inside.max_element() <= 1.0;
+        self.meet(at).filter(|(_, is_met)| *is_met && is_inside).map(|(point, _)| point)
+    }
+
+    /// The same, or the point of the outline that is nearest to a pixel beside the sphere.
+    pub(super) fn sphere_nearest(&self, to: Pixels) -> Option<Vec3> {
+        self.meet(to).map(|(point, _)| point).filter(|point| point.is_finite())
+    }
+
+    /// Where the ray through a pixel meets the unit sphere, or where it comes nearest to it; and whether it does meet it.
+    fn meet(&self, at: Pixels) -> Option<(Vec3, bool)> {
+        let inside = (at - self.corner) / self.extent;
         let up = (0.5 * Camera::vertical_field(self.aspect())).tan();
         let across = Vec2::new(2.0 * inside.x - 1.0, 1.0 - 2.0 * inside.y) * up * Vec2::new(self.aspect(), 1.0);
         let (right_axis, up_axis, forward) = self.camera.axes();
@@ -42,7 +51,7 @@ impl Pane {
         let half = eye.dot(direction);
         let under_root = half * half - (eye.length_squared() - 1.0);
         let distance = -half - under_root.max(0.0).sqrt();
-        (under_root > 0.0 && distance > 0.0).then(|| (eye + direction * distance).normalize())
+        (distance > 0.0).then(|| ((eye + direction * distance).normalize(), under_root > 0.0))
     }
 
     /// The pixel of a point, and whether the unit sphere does not hide it.

@@ -83,6 +83,12 @@ pub(super) struct ViewArguments {
     /// Camera's distance, a factor on the one that frames everything
     #[arg(long, value_name = "X", allow_hyphen_values = true, help_heading = "Picture")]
     distance: Option<f64>,
+    /// Camera of the world alone: azimuth, elevation, distance, and the point looked at
+    #[arg(long, value_name = "DEG,DEG,X,X,Y,Z", value_parser = numbers::<6>, allow_hyphen_values = true, help_heading = "Picture")]
+    world_camera: Option<[f64; 6]>,
+    /// Camera of momentum space alone, likewise
+    #[arg(long, value_name = "DEG,DEG,X,X,Y,Z", value_parser = numbers::<6>, allow_hyphen_values = true, help_heading = "Picture")]
+    body_camera: Option<[f64; 6]>,
 }
 
 /// Everything that is said of a picture in a file, but its name.
@@ -289,6 +295,8 @@ impl ViewArguments {
         override_with(&mut view.azimuth, self.azimuth);
         override_with(&mut view.elevation, self.elevation);
         override_with(&mut view.distance, self.distance);
+        override_with(&mut view.world_camera, self.world_camera);
+        override_with(&mut view.body_camera, self.body_camera);
         for name in &self.show {
             view.hide.retain(|hidden| hidden != name);
             view.show.push(name.clone());

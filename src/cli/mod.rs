@@ -99,8 +99,7 @@ enum Command {
     /// List the methods
     #[command(after_help = "Examples:
   dzhanibekov methods
-  dzhanibekov methods --json
-  dzhanibekov -- methods                        the window, on the scene of that name")]
+  dzhanibekov methods --json")]
     Methods(lists::ListArguments),
     #[cfg(feature = "picture")]
     /// List the graphics adapters

@@ -30,6 +30,24 @@ pub fn areas(layout: Layout, aspect: f32) -> Vec<(Space, Area)> {
     }
 }
 
+/// Distances that frame everything.
+const WORLD_DISTANCE: f32 = 5.85;
+const BODY_DISTANCE: f32 = 6.3;
+
+/// A camera as a scene sets it (see [`scene::View::world_camera`]), where this distance frames everything.
+fn set(setting: [f64; 6], distance: f32) -> Camera {
+    let [azimuth_deg, elevation_deg, factor, x, y, z] = setting.map(|value| value as f32);
+    let camera = Camera::new(azimuth_deg.to_radians(), elevation_deg.to_radians(), factor * distance);
+    Camera { target: Vec3::new(x, y, z), ..camera }
+}
+
+/// What sets a camera as it is: the opposite of [`set`], to a hundredth of a pixel.
+fn setting(camera: &Camera, distance: f32) -> [f64; 6] {
+    let Vec3 { x, y, z } = camera.target;
+    let exact = [camera.azimuth.to_degrees(), camera.elevation.to_degrees(), camera.distance / distance, x, y, z];
+    exact.map(|value| (f64::from(value) * 1e4).round() / 1e4)
+}
+
 /// The cameras of both spaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cameras {
@@ -49,7 +67,25 @@ impl Cameras {
             let distance = view.distance.map_or(1.0, |given| given as f32) * distance;
             Camera { target, ..Camera::new(azimuth, elevation, distance) }
         };
-        Self { world: camera(-60.0, 16.0, 5.85, Vec3::new(0.0, 0.0, 0.06)), body: camera(54.0, 22.0, 6.3, Vec3::ZERO) }
+        let usual = Self {
+            world: camera(-60.0, 16.0, WORLD_DISTANCE, Vec3::new(0.0, 0.0, 0.06)),
+            body: camera(54.0, 22.0, BODY_DISTANCE, Vec3::ZERO),
+        };
+        Self {
+            world: view.world_camera.map_or(usual.world, |setting| set(setting, WORLD_DISTANCE)),
+            body: view.body_camera.map_or(usual.body, |setting| set(setting, BODY_DISTANCE)),
+        }
+    }
+
+    /// Writes into a view's settings what makes these cameras of it, where it has others.
+    pub fn write(&self, view: &scene::View, file: &mut scene::ViewFile) {
+        let before = Self::new(view);
+        if self.world != before.world {
+            file.world_camera = Some(setting(&self.world, WORLD_DISTANCE));
+        }
+        if self.body != before.body {
+            file.body_camera = Some(setting(&self.body, BODY_DISTANCE));
+        }
     }
 
     /// The camera of one space.

@@ -208,6 +208,14 @@ fn check_view(file: &SceneFile) -> Result<View, SceneError> {
     if let Some(distance) = view.distance {
         positive("distance", distance)?;
     }
+    for (name, camera) in [("world camera", view.world_camera), ("body camera", view.body_camera)] {
+        for value in camera.into_iter().flatten() {
+            finite(name, value)?;
+        }
+        if let Some([_, _, distance, ..]) = camera {
+            positive(name, distance)?;
+        }
+    }
     let font_scale = positive("font scale", view.font_scale.unwrap_or(1.0))?;
     if !(0.25..=8.0).contains(&font_scale) {
         return Err(SceneError::Number { name: "font scale", value: font_scale, wanted: "between 0.25 and 8" });
@@ -222,6 +230,8 @@ fn check_view(file: &SceneFile) -> Result<View, SceneError> {
         azimuth_deg: view.azimuth,
         elevation_deg: view.elevation,
         distance: view.distance,
+        world_camera: view.world_camera,
+        body_camera: view.body_camera,
     })
 }
 

@@ -58,6 +58,14 @@ pub fn flags(base: &SceneFile, file: &SceneFile) -> Vec<String> {
     flags.changed("--azimuth", view.azimuth.as_ref(), was.azimuth.as_ref());
     flags.changed("--elevation", view.elevation.as_ref(), was.elevation.as_ref());
     flags.changed("--distance", view.distance.as_ref(), was.distance.as_ref());
+    for (flag, camera, was) in [
+        ("--world-camera", &view.world_camera, &was.world_camera),
+        ("--body-camera", &view.body_camera, &was.body_camera),
+    ] {
+        if camera != was {
+            flags.list(flag, camera.as_ref().map(<[f64; 6]>::as_slice));
+        }
+    }
     flags.0
 }
 

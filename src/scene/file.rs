@@ -144,6 +144,12 @@ pub struct ViewFile {
     /// Camera's distance, a factor on the one that frames everything.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub distance: Option<f64>,
+    /// The camera of the world alone: azimuth and elevation (degrees), distance as above, and the point looked at.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub world_camera: Option<[f64; 6]>,
+    /// The camera of momentum space alone, likewise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub body_camera: Option<[f64; 6]>,
 }
 
 impl SceneFile {

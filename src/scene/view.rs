@@ -47,4 +47,9 @@ pub struct View {
     pub elevation_deg: Option<f64>,
     /// The camera's distance as a factor on the one that frames everything, where the scene sets one.
     pub distance: Option<f64>,
+    /// The camera of the world alone, where the scene sets it: azimuth and elevation (degrees), distance as above, and the
+    /// point looked at (the body is about 1 large).
+    pub world_camera: Option<[f64; 6]>,
+    /// The camera of momentum space alone, likewise (the sphere has radius 1).
+    pub body_camera: Option<[f64; 6]>,
 }

@@ -42,6 +42,10 @@ pub enum Command {
     Hover(Option<Pixels>),
     /// Starts with the body momentum where the sphere was clicked.
     Pick(Pixels),
+    /// Starts with the body momentum where the tip of M is dragged to.
+    DragTip(Pixels),
+    /// The scene as it was opened.
+    Reopen,
     /// The next scene.
     NextScene,
     /// The scene before.

@@ -75,6 +75,7 @@ pub static BINDINGS: &[Binding] = &[
     repeating("+", &[(Any, Key::Plus), (Up, Key::Equals)], "faster", Command::Faster),
     repeating("−", &[(Any, Key::Minus)], "slower", Command::Slower),
     row("R", &[(Up, Key::R)], "restart", Command::Restart, silent),
+    row("Shift+R", &[(Down, Key::R)], "the scene as it was opened", Command::Reopen, silent),
     row("N", &[(Up, Key::N)], "to the next flip", Command::NextFlip, silent),
     row("P", &[(Up, Key::P)], "poke", Command::Poke, silent),
     row("1", &[(Up, Key::Num1)], "spin about axis 1 (smallest moment)", Command::SpinAxis(1), silent),

@@ -37,6 +37,8 @@ pub struct Look<'a> {
     pub tip: Option<Pixels>,
     /// What a click on the sphere would start.
     pub preview: Option<&'a Preview>,
+    /// What the open scene is called.
+    pub name: &'a str,
     /// Titles of the scenes that can be gone through.
     pub titles: &'a [String],
     /// Which of them is open, if any.
@@ -54,8 +56,7 @@ pub struct Look<'a> {
 impl Look<'_> {
     /// What the scene is called.
     pub(super) fn title(&self) -> &str {
-        let title = self.open.and_then(|open| self.titles.get(open)).map_or(&*self.scene.file.title, String::as_str);
-        if title.is_empty() { "Own scene" } else { title }
+        if self.name.is_empty() { "Own scene" } else { self.name }
     }
 
     /// A method's colour: as a ghost, or the body's own.

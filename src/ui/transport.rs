@@ -12,7 +12,7 @@ use crate::physics::poinsot;
 pub const SPEED_POWERS: (i32, i32) = (-6, 3);
 
 /// Room that the speed takes, and the words about flips (points).
-const SPEED_WIDTH: f32 = 225.0;
+const SPEED_WIDTH: f32 = 205.0;
 const FLIPS_WIDTH: f32 = 250.0;
 /// How long before a flip (s of real time) its countdown lights up.
 const SOON: f64 = 1.0;
@@ -44,7 +44,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         let time = format!("{:.2} s", look.sim.time()).replace('-', "−");
         ui.add_sized([118.0, 30.0], egui::Label::new(RichText::new(time).monospace().size(22.0)).halign(Align::Min));
         // Large text or a small window: what there is no room for goes, the least needed first.
-        if ui.available_width() > SPEED_WIDTH + FLIPS_WIDTH {
+        if ui.available_width() > FLIPS_WIDTH {
             flips(ui, look);
         }
         if ui.available_width() > SPEED_WIDTH {
@@ -58,17 +58,22 @@ fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let text = RichText::new(numbers::speed(speed)).monospace().size(16.0);
     ui.add_sized([58.0, 24.0], egui::Label::new(text).halign(Align::Max));
     let mut wanted = speed.abs();
-    ui.spacing_mut().slider_width = 110.0;
+    ui.spacing_mut().slider_width = 90.0;
     let (low, high) = SPEED_POWERS;
     let range = f64::from(low).exp2()..=f64::from(high).exp2();
     let slider = Slider::new(&mut wanted, range).logarithmic(true).smart_aim(false).show_value(false);
     let slid = ui.add(slider).on_hover_text("simulated seconds a real second (+ −)");
     let slid = slid.labelled_by(ui.label("speed").id);
     if slid.changed() {
-        // The speeds are powers of two; the keyboard goes to the next one.
+        // The speeds are powers of two: the one next to the pointer, and none that comes of letting go of it; an arrow key,
+        // which moves the slider by less than half of one, goes to the next.
         let power = (wanted / speed.abs()).log2();
-        let power = if slid.is_pointer_button_down_on() { power.round() } else { power.abs().ceil().copysign(power) };
-        commands.push(Command::SetSpeed(speed.abs() * power.exp2()));
+        let is_released = ui.input(|input| input.pointer.any_released());
+        let by_key = !slid.is_pointer_button_down_on() && power.abs() < 0.5;
+        let power = if by_key { power.signum() } else { power.round() };
+        if power != 0.0 && !is_released {
+            commands.push(Command::SetSpeed(speed.abs() * power.exp2()));
+        }
     }
     // Said only where the machine cannot keep up: otherwise it is the speed that is set.
     if let Some(factor) = look.real_time_factor

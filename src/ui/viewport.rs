@@ -20,8 +20,8 @@ const WORDS_WIDTH: f32 = 240.0;
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Viewport {
     pointer: Option<Pixels>,
-    /// The tip of M is being dragged.
-    holds_tip: bool,
+    /// From where the pointer took hold of M to M's tip.
+    grasp: Option<Pixels>,
 }
 
 impl Viewport {
@@ -37,28 +37,31 @@ impl Viewport {
         let scale = ui.ctx().pixels_per_point();
         let pixels = |v: Vec2| Pixels::new(v.x, v.y) * scale;
         let within = |p: Pos2| pixels(p - rect.min);
-        let at_tip = |pointer: Pos2| look.tip.is_some_and(|tip| within(pointer).distance(tip) < GRASP * scale);
-        if response.drag_started_by(PointerButton::Primary) {
-            let origin = ui.input(|input| input.pointer.press_origin());
-            self.holds_tip = !ui.input(|input| input.modifiers.shift) && origin.is_some_and(at_tip);
+        let to_tip = |pointer: Pos2| {
+            let way = look.tip? - within(pointer);
+            (way.length() < GRASP * scale).then_some(way)
+        };
+        // Decided at the press: by the time that it is a drag, M may have run on.
+        let (is_pressed, shift) = ui.input(|input| (input.pointer.primary_pressed(), input.modifiers.shift));
+        if is_pressed {
+            self.grasp = response.hover_pos().filter(|_| !shift).and_then(to_tip);
         }
-        self.holds_tip &= response.dragged();
-        if self.holds_tip {
+        if response.dragged_by(PointerButton::Primary)
+            && let (Some(way), Some(pointer)) = (self.grasp, response.interact_pointer_pos())
+        {
             ui.ctx().set_cursor_icon(egui::CursorIcon::Grabbing);
-            if let Some(pointer) = response.interact_pointer_pos() {
-                commands.push(Command::Pick(within(pointer)));
-            }
-        } else if response.hover_pos().is_some_and(at_tip) {
+            commands.push(Command::DragTip(within(pointer) + way));
+        } else if response.hover_pos().and_then(to_tip).is_some() {
             ui.ctx().set_cursor_icon(egui::CursorIcon::Grab);
         }
+        let holds_tip = self.grasp.is_some() && response.dragged_by(PointerButton::Primary);
         if response.dragged()
-            && !self.holds_tip
+            && !holds_tip
             && let Some(pointer) = response.interact_pointer_pos()
         {
             let by = response.drag_delta();
             // The view that the drag began in keeps it, also where the pointer leaves that view.
             let origin = ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer);
-            let shift = ui.input(|input| input.modifiers.shift);
             if by != Vec2::ZERO {
                 let (at, by) = (within(origin), pixels(by));
                 let pans = shift || !response.dragged_by(PointerButton::Primary);
@@ -73,6 +76,7 @@ impl Viewport {
             }
         }
         if response.clicked()
+            && self.grasp.is_none()
             && let Some(pointer) = response.interact_pointer_pos()
         {
             commands.push(Command::Pick(within(pointer)));
@@ -82,7 +86,7 @@ impl Viewport {
         if response.hovered() && still < PREVIEW_SECONDS {
             ui.ctx().request_repaint_after_secs(PREVIEW_SECONDS - still);
         }
-        let is_asking = |pointer: &Pos2| !response.dragged() && still < PREVIEW_SECONDS && !at_tip(*pointer);
+        let is_asking = |pointer: &Pos2| !response.dragged() && still < PREVIEW_SECONDS && to_tip(*pointer).is_none();
         let pointer = response.hover_pos().filter(is_asking).map(within);
         if pointer != self.pointer {
             self.pointer = pointer;

@@ -50,7 +50,15 @@ impl Session {
         let spin =
             SpinFile { omega: Some(omega.to_array()), attitude: self.scene.file.spin.attitude, ..SpinFile::default() };
         let file = SceneFile { spin, ..self.scene.file.clone() };
-        self.edit(&file);
+        self.begin(&file);
+    }
+
+    /// Begins a changed scene at its start.
+    fn begin(&mut self, file: &SceneFile) {
+        match Scene::check(file) {
+            Ok(scene) => self.start(scene),
+            Err(error) => self.say(error.to_string()),
+        }
     }
 
     fn principal_momentum(&self) -> DVec3 {
@@ -84,7 +92,19 @@ impl Session {
     }
 
     pub(super) fn pick(&mut self, at: Pixels) {
-        let Some(point) = self.body_pane().and_then(|pane| pane.sphere_under(at)) else { return };
+        if let Some(point) = self.body_pane().and_then(|pane| pane.sphere_under(at)) {
+            self.start_at(point);
+        }
+    }
+
+    pub(super) fn drag_tip(&mut self, to: Pixels) {
+        if let Some(point) = self.body_pane().and_then(|pane| pane.sphere_nearest(to)) {
+            self.start_at(point);
+        }
+    }
+
+    /// A start with the body momentum at this point of the sphere.
+    fn start_at(&mut self, point: glam::Vec3) {
         let length = so3::norm(self.scene.start.body_momentum);
         if length > 0.0 {
             self.start_with(point.as_dvec3().normalize() * length);
@@ -97,6 +117,7 @@ impl Session {
         match Scene::check(&base.file) {
             Ok(scene) => {
                 self.open_scene(scene);
+                self.name.clone_from(&self.titles[index]);
                 self.base = base;
                 self.open = Some(index);
             }
@@ -120,6 +141,7 @@ impl Session {
         match Scene::check(&slide.file) {
             Ok(scene) => {
                 let warning = scene.warnings().into_iter().next();
+                self.name = title_of(&slide);
                 self.base = Base { name: slide.name.clone(), file: slide.file };
                 self.open_scene(scene);
                 self.open = None;
@@ -129,7 +151,16 @@ impl Session {
         }
     }
 
+    /// The scene as it was opened.
+    pub(super) fn reopen(&mut self) {
+        match Scene::check(&self.base.file) {
+            Ok(scene) => self.open_scene(scene),
+            Err(error) => self.say(error.to_string()),
+        }
+    }
+
     fn open_scene(&mut self, mut scene: Scene) {
+        self.say_nothing();
         keep_choices(&mut scene.view, &mut scene.file, &self.scene.file);
         self.cameras = Cameras::new(&scene.view);
         self.sim.clock.speed = 1.0;
@@ -138,7 +169,8 @@ impl Session {
     }
 
     pub(super) fn save(&mut self) {
-        let file = &self.scene.file;
+        let mut file = self.scene.file.clone();
+        self.cameras.write(&self.scene.view, &mut file.view);
         let written = file
             .to_toml()
             .map_err(|error| error.to_string())
@@ -146,7 +178,7 @@ impl Session {
         match written {
             Ok(path) => {
                 // From here on a command can name the file, whatever is in it.
-                self.base = Base { name: path.display().to_string(), file: self.scene.file.clone() };
+                self.base = Base { name: path.display().to_string(), file };
                 self.say(format!("Saved as {}", path.display()));
             }
             Err(why) => self.say(why),

@@ -35,6 +35,8 @@ pub(super) struct Session {
     preview: Option<Preview>,
     slides: Vec<Slide>,
     titles: Vec<String>,
+    /// What the open scene is called.
+    pub(super) name: String,
     open: Option<usize>,
     base: Base,
     shown: Shown,
@@ -85,6 +87,7 @@ impl Session {
             timeline: Timeline { low: 0.0, high: 10.0, first_flip: None, period: None },
             preview: None,
             titles: slides.iter().map(title_of).collect(),
+            name: open.and_then(|open| slides.get(open)).map_or_else(|| scene.file.title.clone(), title_of),
             slides,
             open,
             base,
@@ -118,6 +121,7 @@ impl Session {
             tip: self.tip(),
             preview: self.preview.as_ref(),
             titles: &self.titles,
+            name: &self.name,
             open: self.open,
             real_time_factor,
             shown: self.shown,
@@ -185,6 +189,8 @@ impl Session {
             Command::Poke => self.poke(),
             Command::Hover(at) => self.hover(at),
             Command::Pick(at) => self.pick(at),
+            Command::DragTip(to) => self.drag_tip(to),
+            Command::Reopen => self.reopen(),
             Command::NextScene => self.open_slide(self.open.map_or(0, |index| index + 1)),
             // From a scene that is none of them, back is the last.
             Command::PreviousScene => self.open_slide(self.open.unwrap_or(self.slides.len()).saturating_sub(1)),
@@ -283,8 +289,9 @@ impl Session {
 
     /// Where the tip of M is in the picture, where it is on the near side of the sphere.
     fn tip(&self) -> Option<Pixels> {
+        let is_drawn = objects::object_named("tip").is_some_and(|tip| objects::is_shown(tip, &self.scene.view));
         let axes = self.scene.body.body_from_principal();
-        self.body_pane()?.near_side(axes.transpose() * self.sim.state().body_momentum)
+        self.body_pane().filter(|_| is_drawn)?.near_side(axes.transpose() * self.sim.state().body_momentum)
     }
 
     fn hover(&mut self, at: Option<Pixels>) {
