@@ -105,3 +105,29 @@ impl Cameras {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Cameras;
+    use crate::scene::{Scene, SceneError, SceneFile};
+    use glam::Vec2;
+
+    #[test]
+    fn moved_cameras_are_written_and_come_back() -> Result<(), SceneError> {
+        let mut file = SceneFile::default();
+        let view = Scene::check(&file)?.view;
+        let mut cameras = Cameras::new(&view);
+        cameras.write(&view, &mut file.view);
+        assert_eq!(file, SceneFile::default());
+        cameras.world.orbit(Vec2::new(0.3, -0.1));
+        cameras.body.pan(Vec2::new(0.1, 0.2));
+        cameras.body.zoom(2.0);
+        cameras.write(&view, &mut file.view);
+        let back = Cameras::new(&Scene::check(&file)?.view);
+        for (one, other) in [(cameras.world, back.world), (cameras.body, back.body)] {
+            // Four decimals are written: of degrees, and of lengths about 1 to 6 times as large.
+            assert!(one.eye().distance(other.eye()) < 1e-3 && one.target.distance(other.target) < 1e-4);
+        }
+        Ok(())
+    }
+}

@@ -141,3 +141,37 @@ fn candidates(label: &Label, anchor: Vec2, half: Vec2, point: f32) -> impl Itera
         })
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::place;
+    use crate::camera::Camera;
+    use crate::frame::{Area, Color, Label, View};
+    use crate::render::view::ViewUniform;
+    use glam::{Vec2, Vec3};
+
+    fn label(anchor: Vec3, priority: i32, moves: bool) -> Label {
+        let color = Color::hex(0);
+        Label { anchor, toward: Vec2::X, gap: 5.0, text: String::new(), size: 20.0, color, priority, moves }
+    }
+
+    fn opacities(labels: Vec<Label>) -> Vec<f32> {
+        let mut view = View::new(Area::WHOLE, Camera::new(0.3, 0.2, 5.0));
+        let extents = vec![Vec2::new(60.0, 20.0); labels.len()];
+        view.labels = labels;
+        let pixels = Vec2::new(640.0, 480.0);
+        let places = place(&view, &ViewUniform::new(&view, pixels, 1.0), &extents, &[], pixels, 1.0);
+        places.into_iter().map(|place| place.map_or(-1.0, |place| place.opacity)).collect()
+    }
+
+    #[test]
+    fn of_two_labels_in_one_place_the_more_important_one_is_seen() {
+        // Those that stand still make room for each other.
+        assert_eq!(opacities(vec![label(Vec3::ZERO, 1, false), label(Vec3::ZERO, 2, false)]), [1.0, 1.0]);
+        // One that moves does not, and what it covers is gone.
+        assert_eq!(opacities(vec![label(Vec3::ZERO, 1, false), label(Vec3::ZERO, 2, true)]), [0.0, 1.0]);
+        assert_eq!(opacities(vec![label(Vec3::ZERO, 2, false), label(Vec3::ZERO, 1, true)]), [1.0, 0.0]);
+        assert_eq!(opacities(vec![label(Vec3::ZERO, 1, true), label(Vec3::ZERO, 1, true)]), [1.0, 0.0]);
+        assert_eq!(opacities(vec![label(Vec3::ZERO, 1, false), label(Vec3::Z * 0.8, 2, true)]), [1.0, 1.0]);
+    }
+}

@@ -1,5 +1,7 @@
 //! The keys: one table that the bindings and the help sheet both read.
 
+use std::path::PathBuf;
+
 use egui::{Event, Key, RawInput};
 
 use super::{Command, Look};
@@ -138,6 +140,28 @@ pub fn keys_of(command: &Command) -> Option<&'static str> {
     BINDINGS.iter().find(|binding| binding.command == *command).map(|binding| binding.keys)
 }
 
+/// The file or folder that a text from a file manager's clipboard names: a path, or a `file:` address with `%20` for a space.
+fn path_in(text: &str) -> Option<PathBuf> {
+    let line = text.lines().map(str::trim).find(|line| line.starts_with('/') || line.starts_with("file://"))?;
+    let Some(address) = line.strip_prefix("file://") else { return Some(PathBuf::from(line)) };
+    let mut bytes = vec![];
+    let mut rest = address.as_bytes();
+    while let Some((&byte, after)) = rest.split_first() {
+        let code = after.get(..2).and_then(|code| u8::from_str_radix(std::str::from_utf8(code).ok()?, 16).ok());
+        match code.filter(|_| byte == b'%') {
+            Some(decoded) => {
+                bytes.push(decoded);
+                rest = &after[2..];
+            }
+            None => {
+                bytes.push(byte);
+                rest = after;
+            }
+        }
+    }
+    String::from_utf8(bytes).ok().map(PathBuf::from)
+}
+
 /// Takes the bound keys out of the input, and gives the commands they stand for.
 ///
 /// While a widget has the keyboard everything is left to it, function keys aside.
@@ -146,6 +170,12 @@ pub fn take_commands(input: &mut RawInput, widget_has_keyboard: bool) -> Vec<Com
     input.events.retain(|event| {
         if *event == Event::Copy && !widget_has_keyboard {
             commands.push(Command::CopyCommand);
+            return false;
+        }
+        if let Event::Paste(text) = event
+            && !widget_has_keyboard
+        {
+            commands.extend(path_in(text).map(Command::OpenFile));
             return false;
         }
         let Event::Key { key, pressed, repeat, modifiers, .. } = event else { return true };
@@ -174,4 +204,19 @@ pub fn take_commands(input: &mut RawInput, widget_has_keyboard: bool) -> Vec<Com
         false
     });
     commands
+}
+
+#[cfg(test)]
+mod tests {
+    use super::path_in;
+    use std::path::PathBuf;
+
+    #[test]
+    fn a_copied_file_is_found_in_the_clipboard() {
+        let path = |text: &str| Some(PathBuf::from(text));
+        assert_eq!(path_in("/home/me/flip.toml\n"), path("/home/me/flip.toml"));
+        assert_eq!(path_in("copy\nfile:///tmp/my%20lecture/%C3%BC.toml"), path("/tmp/my lecture/ü.toml"));
+        assert_eq!(path_in("file:///tmp/50%.toml"), path("/tmp/50%.toml"));
+        assert_eq!(path_in("dzhanibekov shot flip"), None);
+    }
 }
