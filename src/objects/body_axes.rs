@@ -14,7 +14,7 @@ const TRAIL_POINTS: u32 = 600;
 const STUB: f32 = 0.16;
 
 /// How much of an axis must look towards the eye for its number to be seen whole.
-const FACING: f32 = 0.3;
+const FACING: f32 = 0.12;
 
 /// A short piece of each axis out of the body, with its number: which one is which on the momentum sphere. It is the end on
 /// the side of the eye, which the body never hides; both ends fade while they change places.
@@ -49,7 +49,7 @@ fn named_end(view: &mut View, from: Vec3, end: Vec3, number: usize, color: Color
     // Beside the end rather than above it, where L and ω may stand.
     let toward = Vec2::new(along.x + 0.8 * (1.0 - along.x.abs()), 0.5 * along.y);
     let text = ["1", "2", "3"][number].to_owned();
-    view.labels.push(Label { anchor: end, toward, gap: 5.0, text, size: 22.0, color, priority: 4, moves: true });
+    view.labels.push(Label { anchor: end, toward, gap: 5.0, text, size: 24.0, color, priority: 4, moves: true });
 }
 
 /// The three axes, named at their positive ends.

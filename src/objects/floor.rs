@@ -13,7 +13,7 @@ use crate::frame::{single, single_matrix};
 use crate::physics::{Motion, poinsot};
 
 /// Radius of the drawn part of the plane.
-const PLANE_RADIUS: f32 = 1.15;
+const PLANE_RADIUS: f32 = 0.93;
 /// Flips before and after now that the herpolhode is drawn for.
 const FLIPS: f64 = 3.0;
 const HERPOLHODE_POINTS: u32 = 1600;

@@ -31,8 +31,8 @@ pub fn areas(layout: Layout, aspect: f32) -> Vec<(Space, Area)> {
 }
 
 /// Distances that frame everything.
-const WORLD_DISTANCE: f32 = 5.85;
-const BODY_DISTANCE: f32 = 6.3;
+const WORLD_DISTANCE: f32 = 6.2;
+const BODY_DISTANCE: f32 = 6.7;
 
 /// A camera as a scene sets it (see [`scene::View::world_camera`]), where this distance frames everything.
 fn set(setting: [f64; 6], distance: f32) -> Camera {
@@ -68,8 +68,8 @@ impl Cameras {
             Camera { target, ..Camera::new(azimuth, elevation, distance) }
         };
         let usual = Self {
-            world: camera(-60.0, 16.0, WORLD_DISTANCE, Vec3::new(0.0, 0.0, 0.06)),
-            body: camera(54.0, 22.0, BODY_DISTANCE, Vec3::ZERO),
+            world: camera(-60.0, 16.0, WORLD_DISTANCE, Vec3::new(0.0, 0.0, 0.2)),
+            body: camera(54.0, 22.0, BODY_DISTANCE, Vec3::new(0.0, 0.0, 0.19)),
         };
         Self {
             world: view.world_camera.map_or(usual.world, |setting| set(setting, WORLD_DISTANCE)),

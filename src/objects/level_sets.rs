@@ -18,7 +18,7 @@ pub(super) fn draw(context: &Context<'_>, view: &mut View) {
     if context.unit_momentum().is_none() {
         return;
     }
-    let color = context.palette.ink.alpha(0.22);
+    let color = context.palette.ink.alpha(0.3);
     for momentum in momenta(body) {
         let curve = poinsot::polhode(body, body.body_from_principal() * momentum, POINTS);
         let points: Vec<Vec3> = curve.into_iter().map(|m| context.principal(m)).collect();

@@ -73,7 +73,7 @@ pub static OBJECTS: &[Object] = &[
     object("ghosts", "Bodies of the other methods", Space::World, true, ghosts::bodies),
     object("momentum", "Angular momentum L", Space::World, true, vectors::momentum),
     object("omega", "Angular velocity ω", Space::World, true, vectors::angular_velocity),
-    object("world-notes", "Words under the world", Space::World, true, notes::world),
+    object("world-notes", "Words about the world", Space::World, true, notes::world),
     object("sphere", "Sphere |M| = |L|", Space::Body, true, surfaces::sphere),
     object("ellipsoid", "Energy ellipsoid", Space::Body, true, surfaces::ellipsoid),
     object("axes", "Principal axes", Space::Body, true, axes::axes),
@@ -84,7 +84,7 @@ pub static OBJECTS: &[Object] = &[
     object("ghost-marks", "M of the other methods", Space::Body, true, ghosts::marks),
     object("tail", "Tail of M", Space::Body, true, tip::tail),
     object("tip", "Tip of M", Space::Body, true, tip::tip),
-    object("body-notes", "Words under the momentum sphere", Space::Body, true, notes::body),
+    object("body-notes", "Words about the momentum sphere", Space::Body, true, notes::body),
 ];
 
 /// Looks an object up by its name.

@@ -1,4 +1,4 @@
-//! The words under a view: from where it is seen, and which method is drawn how.
+//! The words of a view: from where it is seen, and which method is drawn how.
 
 use super::{Context, ghosts};
 use crate::frame::{Dash, Mark, Note, Sample, View};
@@ -9,20 +9,20 @@ const CAPTION_SIZE: f32 = 20.0;
 /// Of the rows of the legend, which may be many.
 const LEGEND_SIZE: f32 = 17.0;
 
-/// Under the world.
+/// Of the world.
 pub(super) fn world(context: &Context<'_>, view: &mut View) {
     legend(context, view);
     caption(context, view, "seen from the room: L stays");
 }
 
-/// Under momentum space.
+/// Of momentum space.
 pub(super) fn body(context: &Context<'_>, view: &mut View) {
     if context.settings.layout == Layout::Body {
         legend(context, view);
     }
     let axes = context.shows("axes");
     let unit = if axes { " (I in kg m²)" } else { "" };
-    caption(context, view, &format!("seen from the body: L moves, called M{unit}"));
+    caption(context, view, &format!("seen from the body: M is L{unit}"));
 }
 
 fn caption(context: &Context<'_>, view: &mut View, text: &str) {

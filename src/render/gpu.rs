@@ -186,6 +186,11 @@ impl Gpu {
         self.adapter.get_info().device_type == wgpu::DeviceType::Cpu
     }
 
+    /// Whether it draws on the processor by Vulkan, where textures with several samples can be read, as not everywhere.
+    pub(super) fn is_software_vulkan(&self) -> bool {
+        self.is_software() && self.adapter.get_info().backend == wgpu::Backend::Vulkan
+    }
+
     /// The first error that the device has reported since the last call.
     ///
     /// # Errors

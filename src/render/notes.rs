@@ -1,4 +1,5 @@
-//! Notes: rows of text in the lower left corner of a view, each after a sample of what it explains.
+//! Notes: rows of text in the corners of a view. What a view shows is said above it; what explains a sample stands after that,
+//! below.
 
 use std::borrow::Cow;
 
@@ -6,10 +7,12 @@ use glam::{Vec2, Vec3};
 
 use super::view::ViewUniform;
 use crate::camera::NEAR;
-use crate::frame::{Dash, Frame, Line, Point, View};
+use crate::frame::{Dash, Frame, Line, Note, Point, View};
 
 /// From the rim of the view (points).
 pub(super) const MARGIN: f32 = 14.0;
+/// From the upper rim.
+const ABOVE: f32 = 9.0;
 /// Height of a row in heights of its text.
 const ROW: f32 = 1.35;
 /// Length of a sample and the gap after it (points).
@@ -22,20 +25,16 @@ const DEPTH: f32 = 4.0 * NEAR;
 
 /// Where the rows of a view stand, in pixels: left end of the text, and the middle of the row's height.
 pub(super) fn rows(view: &View, pixels: Vec2, point: f32) -> Vec<Vec2> {
-    let mut bottom = pixels.y - MARGIN * point;
-    let mut rows: Vec<Vec2> = view
-        .notes
-        .iter()
-        .rev()
-        .map(|note| {
-            let height = ROW * note.size * point;
-            bottom -= height;
-            let indent = if note.sample.is_some() { SAMPLE + GAP } else { 0.0 };
-            Vec2::new((MARGIN + indent) * point, bottom + 0.5 * height)
-        })
-        .collect();
-    rows.reverse();
-    rows
+    let height = |note: &Note| ROW * note.size * point;
+    let explained: f32 = view.notes.iter().filter(|note| note.sample.is_some()).map(height).sum();
+    let mut above = ABOVE * point;
+    let mut below = pixels.y - MARGIN * point - explained;
+    let place = |note: &Note| {
+        let (indent, edge) = if note.sample.is_some() { (SAMPLE + GAP, &mut below) } else { (0.0, &mut above) };
+        *edge += height(note);
+        Vec2::new((MARGIN + indent) * point, *edge - 0.5 * height(note))
+    };
+    view.notes.iter().map(place).collect()
 }
 
 /// The frame with the samples of its notes among the lines and points.

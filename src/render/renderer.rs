@@ -52,7 +52,7 @@ impl Renderer {
         let lines = Lines::new(&maker);
         let points = Points::new(&maker);
         let texts = Texts::new(&maker);
-        let resolve = gpu.is_software().then(|| Resolve::new(&gpu.device));
+        let resolve = gpu.is_software_vulkan().then(|| Resolve::new(&gpu.device));
         Self { views, solids, quadrics, lines, points, texts, resolve, targets: None }
     }
 
@@ -87,7 +87,7 @@ impl Renderer {
 
         let targets = match self.targets.take() {
             Some(targets) if targets.size == size => targets,
-            _ => Targets::new(device, size),
+            _ => Targets::new(device, size, self.resolve.is_some()),
         };
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {

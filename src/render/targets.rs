@@ -11,8 +11,10 @@ pub(super) struct Targets {
 }
 
 impl Targets {
-    pub(super) fn new(device: &wgpu::Device, size: [u32; 2]) -> Self {
+    /// Of this width and height; the samples can be read by a shader where that is wanted.
+    pub(super) fn new(device: &wgpu::Device, size: [u32; 2], are_read: bool) -> Self {
         let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
+        let read = if are_read { wgpu::TextureUsages::TEXTURE_BINDING } else { wgpu::TextureUsages::empty() };
         let view = |format, usage, label| {
             device
                 .create_texture(&wgpu::TextureDescriptor {
@@ -29,7 +31,7 @@ impl Targets {
         };
         Self {
             size,
-            color: view(FORMAT, attachment | wgpu::TextureUsages::TEXTURE_BINDING, "colours"),
+            color: view(FORMAT, attachment | read, "colours"),
             depth: view(DEPTH_FORMAT, attachment, "depths"),
         }
     }

@@ -208,12 +208,15 @@ fn check_view(file: &SceneFile) -> Result<View, SceneError> {
     if let Some(distance) = view.distance {
         positive("distance", distance)?;
     }
-    for (name, camera) in [("world camera", view.world_camera), ("body camera", view.body_camera)] {
+    for (name, distance_name, camera) in [
+        ("world camera", "distance of the world camera", view.world_camera),
+        ("body camera", "distance of the body camera", view.body_camera),
+    ] {
         for value in camera.into_iter().flatten() {
             finite(name, value)?;
         }
         if let Some([_, _, distance, ..]) = camera {
-            positive(name, distance)?;
+            positive(distance_name, distance)?;
         }
     }
     let font_scale = positive("font scale", view.font_scale.unwrap_or(1.0))?;

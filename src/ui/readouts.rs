@@ -39,7 +39,7 @@ pub(super) fn motion(ui: &mut Ui, look: &Look<'_>) {
     line(ui, "ω from axes 1, 2, 3", &angles.join("  "));
 }
 
-/// An invariant: its value, its course over the time of the scrub bar, and in words whether it stays.
+/// An invariant: its value, its course so far, and in words whether it stays.
 fn kept(ui: &mut Ui, look: &Look<'_>, (name, value): (&str, &str), drift: f64, of: fn(&Errors) -> f64) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(name));
@@ -50,11 +50,13 @@ fn kept(ui: &mut Ui, look: &Look<'_>, (name, value): (&str, &str), drift: f64, o
         let color = if is_kept { style::good(ui.visuals().dark_mode) } else { style::warning(ui.visuals().dark_mode) };
         ui.label(RichText::new(words).small().color(color));
         let (rect, response) = ui.allocate_exact_size(egui::vec2(ui.available_width(), 18.0), Sense::hover());
-        response.on_hover_text("Its course over the time of the scrub bar: flat where it stays; the edges are ±1 %");
+        response.on_hover_text("Its course so far: flat where it stays; the edges are ±1 %");
         let painter = ui.painter().with_clip_rect(rect);
         // A ground of its own, so that it is read as a graph.
         painter.rect_filled(rect, 3.0, ui.visuals().extreme_bg_color);
-        let (low, high) = (look.timeline.low, look.timeline.high);
+        let mut times = look.history.samples().map(|sample| sample.time);
+        let low = times.next().unwrap_or_default();
+        let high = times.last().map_or(low + 1.0, |last| last.max(low + f64::MIN_POSITIVE));
         for piece in look.history.pieces(|sample| sample.errors.first().map(of)) {
             let points = piece.into_iter().map(|[time, error]| {
                 let across = ((time - low) / (high - low)) as f32;

@@ -77,13 +77,16 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     painter.rect_filled(bar(at(0.0), at(time.clamp(low, high))), 2.0, accent);
     let flip_color = style::warning(is_dark);
     for flip in look.timeline.flips((high - low) / f64::from(track.width()) * 5.0) {
-        painter.vline(at(flip), (y - 6.0)..=(y + 6.0), Stroke::new(1.5, flip_color));
+        // A form of its own: the marks of the seconds are straight.
+        let corners = [vec2(0.0, -6.0), vec2(5.0, 0.0), vec2(0.0, 6.0), vec2(-5.0, 0.0)];
+        let corners = corners.map(|corner| pos2(at(flip), y) + corner).to_vec();
+        painter.add(egui::Shape::convex_polygon(corners, flip_color, Stroke::NONE));
     }
     // One tick says what they are.
     if let Some(next) =
         look.timeline.next_flip(time, look.sim.clock.speed < 0.0).filter(|next| (low..=high).contains(next))
     {
-        let place = pos2(at(next).clamp(track.left() + 8.0, track.right() - 8.0), y - 6.0);
+        let place = pos2(at(next).clamp(track.left() + 8.0, track.right() - 8.0), y - 7.0);
         painter.text(place, Align2::CENTER_BOTTOM, "flip", FontId::proportional(13.5), flip_color);
     }
     for mark in marks(low, high, f64::from(track.width()) / 90.0) {
