@@ -104,7 +104,7 @@ pub struct View {
     pub points: Vec<Point>,
     /// Texts beside points of the scene.
     pub labels: Vec<Label>,
-    /// Texts in the left corners, the first one highest: those with a sample below, the others above.
+    /// Texts in the upper left corner, the first one highest.
     pub notes: Vec<Note>,
 }
 

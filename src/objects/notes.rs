@@ -2,7 +2,6 @@
 
 use super::{Context, ghosts};
 use crate::frame::{Dash, Mark, Note, Sample, View};
-use crate::physics::Method;
 use crate::scene::Layout;
 
 const CAPTION_SIZE: f32 = 20.0;
@@ -11,18 +10,18 @@ const LEGEND_SIZE: f32 = 17.0;
 
 /// Of the world.
 pub(super) fn world(context: &Context<'_>, view: &mut View) {
-    legend(context, view);
     caption(context, view, "seen from the room: L stays");
+    legend(context, view);
 }
 
 /// Of momentum space.
 pub(super) fn body(context: &Context<'_>, view: &mut View) {
+    let axes = context.shows("axes");
+    let unit = if axes { " (I\u{a0}in\u{a0}kg\u{a0}m²)" } else { "" };
+    caption(context, view, &format!("seen from the body: M is L{unit}"));
     if context.settings.layout == Layout::Body {
         legend(context, view);
     }
-    let axes = context.shows("axes");
-    let unit = if axes { " (I in kg m²)" } else { "" };
-    caption(context, view, &format!("seen from the body: M is L{unit}"));
 }
 
 fn caption(context: &Context<'_>, view: &mut View, text: &str) {
@@ -37,14 +36,13 @@ fn legend(context: &Context<'_>, view: &mut View) {
         return;
     }
     let rim = context.palette.background;
-    let name = |method: &Method| method.label.split(',').next().unwrap_or_default().to_owned();
     let own = Sample { dash: Dash::Solid, mark: Mark::Disc, color: context.palette.momentum, rim };
-    let text = format!("{} (the body)", name(simulation.main().method()));
+    let text = format!("{} (the body)", simulation.main().method().short_label());
     view.notes.push(Note { text, size: LEGEND_SIZE, color: context.palette.momentum, sample: Some(own) });
     for ghost in simulation.ghosts() {
         let method = ghost.method();
         let color = ghosts::method_color(method, context.settings.theme);
         let sample = Sample { dash: ghosts::dash(method, 140.0), mark: ghosts::mark(method), color, rim };
-        view.notes.push(Note { text: name(method), size: LEGEND_SIZE, color, sample: Some(sample) });
+        view.notes.push(Note { text: method.short_label().to_owned(), size: LEGEND_SIZE, color, sample: Some(sample) });
     }
 }

@@ -79,6 +79,6 @@ fn label(view: &mut View, text: &str, color: Color, place: impl Fn(Vec3) -> (f32
         .max_by(|a, b| a.1.0.total_cmp(&b.1.0));
     if let Some((toward, (_, anchor))) = best {
         let (text, color) = (text.to_owned(), color.alpha(1.0));
-        view.labels.push(Label { anchor, toward, gap: 10.0, text, size: 19.0, color, priority: 2, moves: false });
+        view.labels.push(Label { anchor, toward, gap: 14.0, text, size: 19.0, color, priority: 2, moves: false });
     }
 }

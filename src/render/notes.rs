@@ -1,5 +1,4 @@
-//! Notes: rows of text in the corners of a view. What a view shows is said above it; what explains a sample stands after that,
-//! below.
+//! Notes: rows of text in the upper left corner of a view, each after a sample of what it explains.
 
 use std::borrow::Cow;
 
@@ -24,15 +23,13 @@ const MARK_SIZE: f32 = 14.0;
 const DEPTH: f32 = 4.0 * NEAR;
 
 /// Where the rows of a view stand, in pixels: left end of the text, and the middle of the row's height.
-pub(super) fn rows(view: &View, pixels: Vec2, point: f32) -> Vec<Vec2> {
-    let height = |note: &Note| ROW * note.size * point;
-    let explained: f32 = view.notes.iter().filter(|note| note.sample.is_some()).map(height).sum();
-    let mut above = ABOVE * point;
-    let mut below = pixels.y - MARGIN * point - explained;
+pub(super) fn rows(view: &View, point: f32) -> Vec<Vec2> {
+    let mut bottom = ABOVE * point;
     let place = |note: &Note| {
-        let (indent, edge) = if note.sample.is_some() { (SAMPLE + GAP, &mut below) } else { (0.0, &mut above) };
-        *edge += height(note);
-        Vec2::new((MARGIN + indent) * point, *edge - 0.5 * height(note))
+        let height = ROW * note.size * point;
+        bottom += height;
+        let indent = if note.sample.is_some() { SAMPLE + GAP } else { 0.0 };
+        Vec2::new((MARGIN + indent) * point, bottom - 0.5 * height)
     };
     view.notes.iter().map(place).collect()
 }
@@ -52,7 +49,7 @@ pub(super) fn with_samples<'a>(
         let pixels = view.area.extent * picture;
         // Units of the view's world a pixel, at that depth.
         let per_pixel = 2.0 * DEPTH * uniform.ray_up.truncate().length() / pixels.y.max(1.0);
-        for (row, note) in rows(view, pixels, point).into_iter().zip(std::mem::take(&mut view.notes)) {
+        for (row, note) in rows(view, point).into_iter().zip(std::mem::take(&mut view.notes)) {
             if let Some(sample) = note.sample {
                 let ends = [SAMPLE + GAP, GAP].map(|back| place(uniform, row - Vec2::X * (back * point), pixels));
                 let scale = |period: f32| period * point * per_pixel;

@@ -180,7 +180,7 @@ impl Texts {
 
     /// The notes of a view: laid out, their top left corners, their colours.
     fn lay_out_notes(&mut self, view: &View, pixels: Vec2, point: f32) -> Vec<(TextLine, Vec2, Color)> {
-        let rows = notes::rows(view, pixels, point).into_iter().zip(&view.notes);
+        let rows = notes::rows(view, point).into_iter().zip(&view.notes);
         rows.map(|(row, note)| {
             let mut line = self.glyphs.lay_out(&note.text, note.size * point);
             // A row that is too long is set smaller.

@@ -108,7 +108,7 @@ fn errors_graph(kind: Kind, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Com
                     Some(if error > 0.0 { error.log10().max(FLOOR) } else { FLOOR })
                 });
                 for piece in pieces {
-                    let line = Line::new(method.label, PlotPoints::from(piece));
+                    let line = Line::new(method.short_label(), PlotPoints::from(piece));
                     plot.line(line.color(color).width(if index == 0 { 2.5 } else { 1.5 }));
                 }
             }
@@ -146,10 +146,7 @@ fn velocity_graph(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let now = principal_from_body * look.sim.state().body_momentum / moments;
     let unit = |mark: egui_plot::GridMark, _: &_| format!("{} rad/s", trimmed(&significant(mark.value, 4)));
     let chart = plot("velocity", look).y_axis_min_width(70.0).y_axis_formatter(unit);
-    let chart = chart.y_grid_spacer(egui_plot::uniform_grid_spacer(|grid| {
-        let step = round_step((grid.bounds.1 - grid.bounds.0) / 5.0).unwrap_or(1.0);
-        [10.0 * step, 5.0 * step, step]
-    }));
+    let chart = chart.y_grid_spacer(egui_plot::uniform_grid_spacer(|grid| round_steps(&grid, 5.0)));
     let response = chart.show(ui, |plot| {
         for (axis, name) in NAMES.into_iter().enumerate() {
             let color = look.axis_colors[axis];
@@ -181,11 +178,18 @@ fn plot<'a>(name: &'static str, look: &Look<'_>) -> Plot<'a> {
         .show_crosshair(false)
         .default_x_bounds(look.timeline.low, look.timeline.high)
         .x_axis_formatter(|mark, _| format!("{} s", trimmed(&significant(mark.value, 6))))
+        .x_grid_spacer(egui_plot::uniform_grid_spacer(|grid| round_steps(&grid, 8.0)))
         .grid_spacing(egui::Rangef::new(14.0, 120.0))
         .grid_color(Color32::GRAY)
         .y_axis_min_width(38.0)
         .label_formatter(|_| None)
         .set_margin_fraction(egui::vec2(0.0, 0.08))
+}
+
+/// Round distances of lines, the smallest such that there are about `count` of them.
+fn round_steps(grid: &egui_plot::GridInput, count: f64) -> [f64; 3] {
+    let step = round_step((grid.bounds.1 - grid.bounds.0) / count).unwrap_or(1.0);
+    [10.0 * step, 5.0 * step, step]
 }
 
 /// The cursor at the present time; gives the time that was clicked or dragged to.

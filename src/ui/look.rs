@@ -67,7 +67,7 @@ impl Look<'_> {
 
     /// A method's name in its colour.
     pub(super) fn method_text(&self, method: &Method) -> egui::RichText {
-        egui::RichText::new(method.label).color(self.color_of(method))
+        egui::RichText::new(method.short_label()).color(self.color_of(method))
     }
 }
 

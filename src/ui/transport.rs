@@ -68,10 +68,16 @@ fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         // The speeds are powers of two: the one next to the pointer, and none that comes of letting go of it; an arrow key,
         // which moves the slider by less than half of one, goes to the next.
         let power = (wanted / speed.abs()).log2();
-        let is_released = ui.input(|input| input.pointer.any_released());
-        let by_key = !slid.is_pointer_button_down_on() && power.abs() < 0.5;
+        let is_down = slid.is_pointer_button_down_on();
+        let (is_let_go, is_still) = ui.input(|input| {
+            let pointer = &input.pointer;
+            (pointer.any_released() && !pointer.any_pressed(), !pointer.is_decidedly_dragging())
+        });
+        // A press on the handle itself is no wish.
+        let is_on_handle = is_down && is_still && power.abs() < 1.0;
+        let by_key = !is_down && power.abs() < 0.5;
         let power = if by_key { power.signum() } else { power.round() };
-        if power != 0.0 && !is_released {
+        if power != 0.0 && !is_let_go && !is_on_handle {
             commands.push(Command::SetSpeed(speed.abs() * power.exp2()));
         }
     }

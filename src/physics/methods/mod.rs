@@ -115,6 +115,14 @@ pub struct Method {
     pub start: fn(&Problem) -> Box<dyn Stepper>,
 }
 
+impl Method {
+    /// The name for people without what is said of it after a comma.
+    #[must_use]
+    pub fn short_label(&self) -> &'static str {
+        self.label.split(',').next().unwrap_or(self.label)
+    }
+}
+
 /// The methods, in the order in which lists show them.
 pub static METHODS: &[Method] = &[
     forward_euler::METHOD,
