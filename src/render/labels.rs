@@ -2,10 +2,9 @@
 //! other. Those that move stay where they want to be, since a label that jumps aside draws the eye; what they pass gives
 //! way to them, or they to it, by fading.
 
-use glam::{Vec2, Vec4};
+use glam::Vec2;
 
 use super::view::ViewUniform;
-use crate::camera::NEAR;
 use crate::frame::{Label, View};
 
 /// Free space between labels and at the rim of the view (points).
@@ -58,9 +57,8 @@ pub(super) fn place(
     point: f32,
 ) -> Vec<Option<Place>> {
     let project = |position: glam::Vec3| {
-        let clip: Vec4 = uniform.clip_from_world * position.extend(1.0);
-        let ndc = Vec2::new(clip.x, clip.y) / clip.w;
-        (clip.w > NEAR && ndc.abs().max_element() <= 1.0).then(|| (ndc * Vec2::new(0.5, -0.5) + 0.5) * pixels)
+        let ndc = uniform.ndc(position).filter(|ndc| ndc.abs().max_element() <= 1.0)?;
+        Some((ndc * Vec2::new(0.5, -0.5) + 0.5) * pixels)
     };
     let marks = view.points.iter().filter(|mark| !mark.moves).map(|mark| (mark.position, 0.5 * mark.size));
     // Straight strokes, as axes are, count by some places along them.

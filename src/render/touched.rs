@@ -4,7 +4,6 @@ use glam::{Vec2, Vec3};
 
 use super::quadrics::covering_triangles;
 use super::view::ViewUniform;
-use crate::camera::NEAR;
 use crate::frame::{Frame, View};
 
 /// Side of a tile (pixels).
@@ -56,10 +55,7 @@ impl Touched {
         let (corner, extent) = (view.area.corner * picture, view.area.extent * picture);
         let pixel = |ndc: Vec2| corner + (ndc * Vec2::new(0.5, -0.5) + 0.5) * extent;
         // What reaches behind the eye may be anywhere.
-        let project = |at: Vec3| {
-            let clip = uniform.clip_from_world * at.extend(1.0);
-            (clip.w > NEAR).then(|| pixel(Vec2::new(clip.x, clip.y) / clip.w))
-        };
+        let project = |at: Vec3| uniform.ndc(at).map(pixel);
         let mut add = |points: &mut dyn Iterator<Item = Option<Vec2>>, margin: f32| {
             let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
             for point in points {

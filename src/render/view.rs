@@ -23,6 +23,12 @@ pub(super) struct ViewUniform {
 const AMBIENT: f32 = 0.24;
 
 impl ViewUniform {
+    /// Where a point of the view's world is seen (normalised device coordinates); none behind the eye.
+    pub(super) fn ndc(&self, at: Vec3) -> Option<Vec2> {
+        let clip = self.clip_from_world * at.extend(1.0);
+        (clip.w > NEAR).then(|| Vec2::new(clip.x, clip.y) / clip.w)
+    }
+
     /// Of a view that is this many pixels wide and high, with this many pixels a point.
     pub(super) fn new(view: &View, pixels: Vec2, point: f32) -> Self {
         let aspect = pixels.x / pixels.y;

@@ -97,7 +97,9 @@ impl Scene {
         let (body, parts) = check_body(file)?;
         let start = check_start(file, &body)?;
         let method = named_method(file.motion.method.as_deref().unwrap_or(DEFAULT_METHOD))?;
-        let compare = file.motion.compare.iter().map(|name| named_method(name)).collect::<Result<_, _>>()?;
+        let mut compare = file.motion.compare.iter().map(|name| named_method(name)).collect::<Result<Vec<_>, _>>()?;
+        // What is the body's own method is no ghost beside it.
+        compare.retain(|other| other.name != method.name);
         let step = positive("step", file.motion.step.unwrap_or(DEFAULT_STEP))?;
         Ok(Self { file: file.clone(), body, parts, start, method, compare, step, view: check_view(file)? })
     }

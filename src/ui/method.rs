@@ -21,10 +21,8 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         for method in METHODS {
             let row = ui.selectable_label(method.name == scene.method.name, method.label);
             if row.on_hover_text(method.source).clicked() {
-                // What is the body's own method is no ghost beside it.
-                let mut motion = scene.file.motion.clone();
-                motion.compare.retain(|other| other != method.name);
-                commands.push(edit(MotionFile { method: Some(method.name.to_owned()), ..motion }));
+                let method = Some(method.name.to_owned());
+                commands.push(edit(MotionFile { method, ..scene.file.motion.clone() }));
             }
         }
     });

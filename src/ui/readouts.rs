@@ -56,7 +56,7 @@ fn kept(ui: &mut Ui, look: &Look<'_>, (name, value): (&str, &str), drift: f64, o
         painter.rect_filled(rect, 3.0, ui.visuals().extreme_bg_color);
         let mut times = look.history.samples().map(|sample| sample.time);
         let low = times.next().unwrap_or_default();
-        let high = times.last().map_or(low + 1.0, |last| last.max(low + f64::MIN_POSITIVE));
+        let high = times.last().unwrap_or(low + 1.0);
         for piece in look.history.pieces(|sample| sample.errors.first().map(of)) {
             let points = piece.into_iter().map(|[time, error]| {
                 let across = ((time - low) / (high - low)) as f32;

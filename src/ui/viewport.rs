@@ -46,17 +46,15 @@ impl Viewport {
         if is_pressed {
             self.grasp = response.hover_pos().filter(|_| !shift).and_then(to_tip);
         }
-        if response.dragged_by(PointerButton::Primary)
-            && let (Some(way), Some(pointer)) = (self.grasp, response.interact_pointer_pos())
-        {
+        let held = self.grasp.filter(|_| response.dragged_by(PointerButton::Primary));
+        if let (Some(way), Some(pointer)) = (held, response.interact_pointer_pos()) {
             ui.ctx().set_cursor_icon(egui::CursorIcon::Grabbing);
             commands.push(Command::DragTip(within(pointer) + way));
         } else if response.hover_pos().and_then(to_tip).is_some() {
             ui.ctx().set_cursor_icon(egui::CursorIcon::Grab);
         }
-        let holds_tip = self.grasp.is_some() && response.dragged_by(PointerButton::Primary);
         if response.dragged()
-            && !holds_tip
+            && held.is_none()
             && let Some(pointer) = response.interact_pointer_pos()
         {
             let by = response.drag_delta();
