@@ -91,6 +91,8 @@ pub mod render;
 #[cfg(feature = "report")]
 pub mod report;
 pub mod scene;
+#[cfg(feature = "window")]
+pub mod session;
 pub mod sim;
 #[cfg(feature = "picture")]
 pub mod typeface;

@@ -3,6 +3,8 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use crate::session;
+
 /// What is said of a file that is held over the window.
 pub(super) fn offer(path: &Path) -> String {
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
@@ -11,7 +13,7 @@ pub(super) fn offer(path: &Path) -> String {
 
 /// Writes a new file `stem-N.extension` in the working directory, `N` the first number that is free.
 pub(super) fn write_new(stem: &str, extension: &str, bytes: &[u8]) -> Result<PathBuf, String> {
-    let stem = slug(stem);
+    let stem = session::slug(stem);
     for number in 1..100_000 {
         let path = PathBuf::from(format!("{stem}-{number}.{extension}"));
         if !path.exists() {
@@ -35,28 +37,4 @@ pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), String> {
         let _ = std::fs::remove_file(&beside);
         format!("{} could not be written: {error}", path.display())
     })
-}
-
-/// A title as a file name: letters, digits and dashes.
-pub(super) fn slug(title: &str) -> String {
-    let mut slug = String::new();
-    for character in title.chars().take(60) {
-        if character.is_alphanumeric() {
-            slug.extend(character.to_lowercase());
-        } else if !slug.is_empty() && !slug.ends_with('-') {
-            slug.push('-');
-        }
-    }
-    let slug = slug.trim_end_matches('-');
-    if slug.is_empty() { "scene".to_owned() } else { slug.to_owned() }
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn a_slug_is_a_file_name() {
-        assert_eq!(super::slug("The flip"), "the-flip");
-        assert_eq!(super::slug("../etc: x?"), "etc-x");
-        assert_eq!(super::slug("  "), "scene");
-    }
 }

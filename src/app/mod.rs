@@ -2,18 +2,14 @@
 //!
 //! Nothing is drawn unless something changed, and nothing at all while the window cannot be seen.
 
-mod command_line;
 mod compose;
 mod files;
 mod mapping;
 mod offscreen;
 mod open;
 mod pacing;
-mod pick;
 mod remember;
 mod screen;
-mod session;
-mod start;
 mod startup;
 mod surface;
 mod trial;
@@ -31,12 +27,11 @@ pub use offscreen::with_panels;
 pub use startup::WindowError;
 
 use crate::render::Pixels;
-use crate::scene::{Scene, SceneFile};
+use crate::scene::Scene;
+use crate::session::{Effect, Remembered, Session, Slide};
 use crate::ui::{Command, Panels};
 use open::OpenWindow;
 use pacing::Pacer;
-use remember::Remembered;
-use session::{Request, Session};
 use trial::{Frame, Trial};
 
 /// How the window is opened.
@@ -54,15 +49,6 @@ pub struct WindowOptions {
     pub read_scenes: ReadScenes,
 }
 
-/// A scene that can be gone to.
-#[derive(Clone, Debug)]
-pub struct Slide {
-    /// What the command line calls it: a name or a path.
-    pub name: String,
-    /// Its text.
-    pub file: SceneFile,
-}
-
 /// Makes a PNG file of a picture, transparent or not; or says why it could not.
 pub type EncodePng = fn(&Pixels, bool) -> Result<Vec<u8>, String>;
 
@@ -75,13 +61,15 @@ pub type ReadScenes = fn(&Path) -> Result<Vec<Slide>, String>;
 /// No display, no graphics adapter, or a library missing: one sentence that says what to do about it.
 pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> {
     let event_loop = startup::connect()?;
-    let remembered = Remembered::load();
+    let remembered = remember::load();
     let slides = std::mem::take(&mut options.slides);
     let mut app = App {
         options,
         remembered,
         proxy: event_loop.create_proxy(),
-        session: Session::new(scene, slides, &remembered),
+        session: Session::new(scene, slides, &remembered, Instant::now()),
+        jumps: 0,
+        drawn: None,
         panels: Panels::default(),
         pacer: Pacer::new(),
         window: None,
@@ -128,6 +116,10 @@ struct App {
     remembered: Remembered,
     proxy: EventLoopProxy<Wake>,
     session: Session,
+    /// What was last seen of the session's jumps in time.
+    jumps: u64,
+    /// The revision that the picture shows.
+    drawn: Option<u64>,
     panels: Panels,
     pacer: Pacer,
     window: Option<OpenWindow>,
@@ -166,7 +158,7 @@ impl App {
                 return;
             }
         }
-        self.session.picture_changed = true;
+        self.drawn = None;
         self.wake();
     }
 
@@ -184,20 +176,22 @@ impl App {
         self.repaint_at = None;
         if self.session.is_playing() {
             let passed = self.pacer.tick(now);
-            self.session.advance(passed);
-            self.pacer.measure(now, self.session.sim.time(), std::mem::take(&mut self.session.time_jumped));
+            self.session.advance(passed, now);
+            let has_jumped = std::mem::replace(&mut self.jumps, self.session.jumps()) != self.session.jumps();
+            self.pacer.measure(now, self.session.time(), has_jumped);
         } else {
+            self.session.advance(0.0, now);
             self.pacer.stand();
         }
-        self.session.drop_old_message(now);
         let simulation = now.elapsed();
-        let drawn = window.draw(event_loop, &mut self.session, &mut self.panels, self.pacer.real_time_factor());
+        let factor = self.pacer.real_time_factor();
+        let drawn = window.draw(event_loop, &mut self.session, &mut self.panels, factor, &mut self.drawn);
         if drawn.is_shown {
             self.recoveries = 0;
         }
         let [panels, picture, present] = drawn.spent;
         let spent = [simulation, panels, picture, present];
-        self.trial.note(Frame { at: now, simulated: self.session.sim.time(), spent });
+        self.trial.note(Frame { at: now, simulated: self.session.time(), spent });
         self.repaint_at = drawn.repaint_after.and_then(|delay| now.checked_add(delay));
         let has_commands = !drawn.commands.is_empty();
         self.apply(drawn.commands);
@@ -208,29 +202,44 @@ impl App {
 
     fn apply(&mut self, commands: Vec<Command>) {
         for command in commands {
-            let Some(request) = self.session.apply(command) else { continue };
-            match request {
-                Request::Open(path) => {
-                    let outcome = (self.options.read_scenes)(&path);
-                    self.session.open_files(&path, outcome);
+            for effect in self.session.apply(command, Instant::now()) {
+                self.take_effect(effect);
+            }
+        }
+    }
+
+    /// Does what the session leaves to the window.
+    fn take_effect(&mut self, effect: Effect) {
+        match effect {
+            Effect::Open(place) => {
+                let read = (self.options.read_scenes)(Path::new(&place));
+                self.session.open_slides(&place, read);
+            }
+            Effect::SaveText { place, title, text } => {
+                let written = match place {
+                    Some(place) => files::write_whole(Path::new(&place), text.as_bytes()).map(|()| place.into()),
+                    None => files::write_new(&title, "toml", text.as_bytes()),
+                };
+                match written {
+                    Ok(path) => self.session.saved(&path.display().to_string()),
+                    Err(why) => self.session.say(why),
                 }
-                Request::FocusPanel => self.panels.take_focus(),
-                Request::ToggleFullscreen => {
-                    if let Some(window) = &self.window {
-                        window.toggle_fullscreen();
-                    }
+            }
+            Effect::WritePicture { transparent } => {
+                if let Some(window) = &mut self.window {
+                    let outcome = window.write_picture(&self.session, transparent, self.options.encode_png);
+                    self.session.say(outcome.unwrap_or_else(|why| why));
                 }
-                Request::Picture { transparent } => {
-                    if let Some(window) = &mut self.window {
-                        let outcome = window.write_picture(&self.session, transparent, self.options.encode_png);
-                        self.session.say(outcome.unwrap_or_else(|why| why));
-                    }
+            }
+            Effect::CopyText(text) => {
+                if let Some(window) = &mut self.window {
+                    window.copy(text);
                 }
-                Request::CopyCommand => {
-                    if let Some(window) = &mut self.window {
-                        let outcome = window.copy_command(&self.session);
-                        self.session.say(outcome);
-                    }
+            }
+            Effect::FocusPanel => self.panels.take_focus(),
+            Effect::ToggleFullscreen => {
+                if let Some(window) = &self.window {
+                    window.toggle_fullscreen();
                 }
             }
         }
@@ -278,7 +287,9 @@ impl ApplicationHandler<Wake> for App {
             }
             WindowEvent::HoveredFile(path) => self.session.say(files::offer(&path)),
             WindowEvent::HoveredFileCancelled => self.session.say_nothing(),
-            WindowEvent::DroppedFile(path) => self.apply(vec![Command::OpenFile(path)]),
+            WindowEvent::DroppedFile(path) => {
+                self.apply(vec![Command::OpenPlace(path.to_string_lossy().into_owned())]);
+            }
             _ => {}
         }
         if wants_repaint {
@@ -318,7 +329,7 @@ impl ApplicationHandler<Wake> for App {
         if let Some(window) = self.window.take() {
             window.remember(&mut self.remembered);
             self.session.remember(&mut self.remembered);
-            self.remembered.save();
+            remember::save(&self.remembered);
         }
         if let Err(why) = self.trial.write() {
             self.error.get_or_insert(WindowError::Trial(why));

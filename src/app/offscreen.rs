@@ -2,13 +2,12 @@
 
 use super::compose::Compose;
 use super::open::{picture_point, place, zoom};
-use super::remember::Remembered;
 use super::screen::{Painted, paint, upload};
-use super::session::Session;
-use crate::objects;
 use crate::render::{Canvas, FORMAT, Gpu, GpuError, Pixels, Renderer};
 use crate::scene::Scene;
-use crate::ui::{self, Panels, style};
+use crate::session::{Remembered, Session};
+use crate::ui::{Panels, style};
+use web_time::Instant;
 
 /// Draws a scene at a time (s) with the window's panels, paused, in this many pixels, on a device that can draw them.
 /// What some window was last like is not looked at.
@@ -17,15 +16,15 @@ use crate::ui::{self, Panels, style};
 /// What the device reports.
 pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]) -> Result<Pixels, GpuError> {
     let window = (width, height);
-    let mut session = Session::new(scene, Vec::new(), &Remembered::default());
-    session.sim.clock.paused = true;
+    let now = Instant::now();
+    let mut session = Session::new(scene, Vec::new(), &Remembered::default(), now);
     session.show_time(time);
 
     let context = egui::Context::default();
     style::install(&context);
-    style::set_theme(&context, session.scene.view.theme);
+    style::set_theme(&context, session.theme());
     let (wide, high) = (width as f32, height as f32);
-    let zoom = zoom(wide, high, session.scene.view.font_scale as f32);
+    let zoom = zoom(wide, high, session.scene().view.font_scale as f32);
     context.set_zoom_factor(zoom);
     let mut panels = Panels::default();
     let canvas = Canvas::new(gpu, [width, height]);
@@ -51,10 +50,8 @@ pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]
         let (corner, size) = place(picture, output.pixels_per_point, window);
         let mut compose = Compose::new(gpu, FORMAT);
         if size.0 > 0 && size.1 > 0 {
-            session.picture_size = ui::Pixels::new(size.0 as f32, size.1 as f32);
             compose.resize(gpu, size);
-            let aspect = session.picture_size.x / session.picture_size.y;
-            let frame = objects::build_frame(&session.sim, &session.scene.view, &session.cameras, aspect);
+            let frame = session.frame(size.0 as f32 / size.1 as f32);
             if let Some((target, size)) = compose.target() {
                 // The frame scales its texts itself.
                 let point = picture_point(output.pixels_per_point, size) / frame.font_scale;

@@ -11,12 +11,10 @@ use winit::window::{Fullscreen, Window, WindowAttributes};
 
 use super::files;
 use super::mapping::Mapping;
-use super::remember::Remembered;
 use super::screen::{Painted, Presented, Screen};
-use super::session::Session;
 use super::{EncodePng, Wake, WindowError, WindowOptions};
-use crate::objects;
 use crate::render::point_size;
+use crate::session::{Remembered, Session};
 use crate::ui::{Command, Panels, Pixels, keys, style};
 
 /// Smallest size that still holds the panels (points).
@@ -187,7 +185,7 @@ impl OpenWindow {
         }
     }
 
-    /// Takes a screen reader's wish.
+    /// Takes what a screen reader asks for.
     pub(super) fn on_access(&mut self, event: accesskit_winit::WindowEvent) {
         match event {
             accesskit_winit::WindowEvent::InitialTreeRequested => self.egui.egui_ctx().enable_accesskit(),
@@ -203,9 +201,10 @@ impl OpenWindow {
         session: &mut Session,
         panels: &mut Panels,
         real_time_factor: Option<f64>,
+        drawn: &mut Option<u64>,
     ) -> Drawn {
         let context = self.egui.egui_ctx().clone();
-        let theme = session.scene.view.theme;
+        let theme = session.theme();
         if self.theme != Some(theme) {
             style::set_theme(&context, theme);
             self.theme = Some(theme);
@@ -216,7 +215,7 @@ impl OpenWindow {
             self.title = title;
         }
         let began = Instant::now();
-        self.scale_text(&context, session.text_size);
+        self.scale_text(&context, session.text_size());
         let fullscreen = self.window.fullscreen().is_some();
         let mut input = self.egui.take_egui_input(&self.window);
         let has_focus = context.memory(|memory| memory.focused().is_some());
@@ -238,7 +237,7 @@ impl OpenWindow {
             .filter(|delay| *delay < LONG);
 
         let panels_done = Instant::now();
-        let corner = self.draw_picture(session, picture, output.pixels_per_point);
+        let corner = self.draw_picture(session, picture, output.pixels_per_point, drawn);
         let picture_done = Instant::now();
         let painted = Painted {
             primitives: context.tessellate(output.shapes, output.pixels_per_point),
@@ -270,23 +269,16 @@ impl OpenWindow {
     ) -> Result<String, String> {
         let (width, height) = self.screen.size();
         let aspect = width as f32 / height as f32;
-        let mut frame = objects::build_frame(&session.sim, &session.scene.view, &session.cameras, aspect);
+        let mut frame = session.frame(aspect);
         frame.transparent = transparent;
         let bytes = encode(&self.screen.picture(&frame, [width, height])?, transparent)?;
-        let path = files::write_new(&session.scene.file.title, "png", &bytes)?;
+        let path = files::write_new(session.title(), "png", &bytes)?;
         Ok(format!("Written to {}", path.display()))
     }
 
-    /// Puts the command that draws this picture on the clipboard; says what it did.
-    pub(super) fn copy_command(&mut self, session: &Session) -> String {
-        let (width, height) = self.screen.size();
-        match session.as_command([width, height]) {
-            Some(line) => {
-                self.egui.set_clipboard_text(line.clone());
-                format!("Copied: {line}")
-            }
-            None => "No command can say this start: save the scene first (Ctrl+S), then copy.".to_owned(),
-        }
+    /// Puts a text on the clipboard.
+    pub(super) fn copy(&mut self, text: String) {
+        self.egui.set_clipboard_text(text);
     }
 
     /// Notes the window's size for the next time.
@@ -298,19 +290,25 @@ impl OpenWindow {
         }
     }
 
-    /// Redraws the picture where something in it changed. Gives its corner in the window (pixels).
-    fn draw_picture(&mut self, session: &mut Session, picture: egui::Rect, pixels_per_point: f32) -> (u32, u32) {
+    /// Redraws the picture where something in it changed since the revision that was drawn. Gives its corner in the window
+    /// (pixels).
+    fn draw_picture(
+        &mut self,
+        session: &mut Session,
+        picture: egui::Rect,
+        pixels_per_point: f32,
+        drawn: &mut Option<u64>,
+    ) -> (u32, u32) {
         let (corner, size) = place(picture, pixels_per_point, self.screen.size());
         if size.0 == 0 || size.1 == 0 {
             return corner;
         }
+        let pixels = Pixels::new(size.0 as f32, size.1 as f32);
+        session.apply(Command::Resize(pixels), Instant::now());
         let is_new = self.screen.resize_picture(size);
-        if is_new || session.picture_changed {
-            session.picture_size = Pixels::new(size.0 as f32, size.1 as f32);
-            session.picture_changed = false;
-            let aspect = session.picture_size.x / session.picture_size.y;
-            let frame = objects::build_frame(&session.sim, &session.scene.view, &session.cameras, aspect);
-            self.screen.draw_picture(&frame, picture_point(pixels_per_point, size));
+        if is_new || *drawn != Some(session.revision()) {
+            *drawn = Some(session.revision());
+            self.screen.draw_picture(&session.frame(pixels.x / pixels.y), picture_point(pixels_per_point, size));
         }
         corner
     }
@@ -355,6 +353,6 @@ fn named(attributes: WindowAttributes) -> WindowAttributes {
 }
 
 fn title(session: &Session) -> String {
-    let title = session.name.trim();
+    let title = session.title();
     if title.is_empty() { "Dzhanibekov".to_owned() } else { format!("{title} — Dzhanibekov") }
 }

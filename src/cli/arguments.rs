@@ -215,13 +215,14 @@ impl SceneArguments {
         &self,
         view: &ViewArguments,
         is_quiet: bool,
-    ) -> Result<(Scene, Vec<dzhanibekov::app::Slide>), Failure> {
+    ) -> Result<(Scene, Vec<dzhanibekov::session::Slide>), Failure> {
         if !self.name().is_dir() {
             return Ok((self.scene(Some(view), is_quiet)?, Vec::new()));
         }
         let slides = scenes_at(self.name()).map_err(Failure::request)?;
         let Some(first) = slides.first() else { return Ok((self.scene(Some(view), is_quiet)?, slides)) };
-        Ok((self.checked(Some(&first.name), &first.file, Some(view), is_quiet)?, slides))
+        let file = first.file.clone().map_err(Failure::request)?;
+        Ok((self.checked(Some(&first.name), &file, Some(view), is_quiet)?, slides))
     }
 
     fn name(&self) -> &Path {
@@ -316,7 +317,7 @@ fn override_with<T>(value: &mut Option<T>, given: Option<T>) {
 
 /// The scene of a file, or those of a folder in the order of their names, each checked; in a folder there is at least one.
 #[cfg(feature = "window")]
-pub(super) fn scenes_at(path: &Path) -> Result<Vec<dzhanibekov::app::Slide>, String> {
+pub(super) fn scenes_at(path: &Path) -> Result<Vec<dzhanibekov::session::Slide>, String> {
     let mut paths = vec![path.to_owned()];
     if path.is_dir() {
         let refused = |error: std::io::Error| format!("{}: could not be read: {error}", path.display());
@@ -331,7 +332,7 @@ pub(super) fn scenes_at(path: &Path) -> Result<Vec<dzhanibekov::app::Slide>, Str
     let read = |path: &PathBuf| {
         let (name, file) = read_file(path)?;
         Scene::check(&file).map_err(|error| format!("{name}: {error}"))?;
-        Ok(dzhanibekov::app::Slide { name, file })
+        Ok(dzhanibekov::session::Slide { name, file: Ok(file) })
     };
     paths.iter().map(read).collect()
 }

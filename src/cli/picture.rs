@@ -66,7 +66,7 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
         let bytes = encode(&pixels, false, &notes).map_err(HeadlessError::from)?;
         return write_picture(&arguments.output, &bytes);
     }
-    let bytes = draw(&gpu, &simulation, &options(picture), &notes(picture, &words, picture.time))?;
+    let bytes = draw(&gpu, &scene, &simulation, &options(picture), &notes(picture, &words, picture.time))?;
     write_picture(&arguments.output, &bytes)
 }
 

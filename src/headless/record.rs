@@ -135,6 +135,7 @@ fn draw_all(
 
 /// The simulation with what draws it, on two canvases in turn.
 struct Artist<'a> {
+    scene: &'a Scene,
     simulation: Simulation,
     cameras: Cameras,
     transparent: bool,
@@ -144,11 +145,12 @@ struct Artist<'a> {
 }
 
 impl<'a> Artist<'a> {
-    fn new(gpu: &'a Gpu, scene: &Scene, recording: &Recording) -> Result<Self, HeadlessError> {
+    fn new(gpu: &'a Gpu, scene: &'a Scene, recording: &Recording) -> Result<Self, HeadlessError> {
         let renderer = Renderer::new(gpu);
         let canvases = [(); 2].map(|()| Canvas::new(gpu, recording.shot.size));
         gpu.check()?;
         Ok(Self {
+            scene,
             simulation: Simulation::new(scene),
             cameras: Cameras::new(&scene.view),
             transparent: recording.shot.transparent,
@@ -165,8 +167,7 @@ impl<'a> Artist<'a> {
         }
         let canvas = &self.canvases[canvas];
         let [width, height] = canvas.size();
-        let view = &self.simulation.scene().view;
-        let mut frame: Frame = build_frame(&self.simulation, view, &self.cameras, width as f32 / height as f32);
+        let mut frame: Frame = build_frame(self.scene, &self.simulation, &self.cameras, width as f32 / height as f32);
         frame.transparent = self.transparent;
         self.renderer.render(self.gpu, &frame, canvas.view(), canvas.size(), point_size(canvas.size()));
         Ok(canvas.begin_read(self.gpu))

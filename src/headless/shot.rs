@@ -5,6 +5,7 @@ use super::png::{Note, encode};
 use crate::frame::Frame;
 use crate::objects::{Cameras, build_frame};
 use crate::render::{Canvas, Gpu, GpuError, Pixels, Renderer, point_size};
+use crate::scene::Scene;
 use crate::sim::Simulation;
 
 /// Why there is no picture.
@@ -117,20 +118,20 @@ impl<'a> Studio<'a> {
     }
 }
 
-/// Draws a simulation as it is now, by its scene's own view, on the device that the options opened: the bytes of a
+/// Draws a scene as its simulation is now, by its own view, on the device that the options opened: the bytes of a
 /// PNG file.
 ///
 /// # Errors
 /// See [`HeadlessError`].
 pub fn shot(
     gpu: &Gpu,
+    scene: &Scene,
     simulation: &Simulation,
     options: &ShotOptions,
     notes: &[Note],
 ) -> Result<Vec<u8>, HeadlessError> {
     let mut studio = Studio::new(gpu, options.size)?;
-    let view = &simulation.scene().view;
-    let mut frame = build_frame(simulation, view, &Cameras::new(view), studio.aspect());
+    let mut frame = build_frame(scene, simulation, &Cameras::new(&scene.view), studio.aspect());
     frame.transparent = options.transparent;
     let pixels = studio.draw(&frame)?;
     Ok(encode(&pixels, options.transparent, notes)?)

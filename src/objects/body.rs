@@ -100,7 +100,7 @@ pub(super) fn placed_parts<'a>(
 ) -> impl Iterator<Item = (Vec3, Mat3, PartKind, Mat3)> + use<'a> {
     let world_from_body = context.world_from_body(state);
     let scale = context.per_metre();
-    context.simulation.scene().parts.iter().map(move |part| {
+    context.scene.parts.iter().map(move |part| {
         let body_from_part = single_matrix(part.body_from_part);
         let half = single(part.size * (0.5 * scale));
         let map = world_from_body * body_from_part * Mat3::from_diagonal(half);

@@ -63,7 +63,7 @@ pub(super) fn axes(context: &Context<'_>, view: &mut View) {
 
 /// The way of the axis that the body was started about.
 pub(super) fn trail(context: &Context<'_>, view: &mut View) {
-    let start = context.body_momentum(context.simulation.scene().start.body_momentum);
+    let start = context.body_momentum(context.scene.start.body_momentum);
     trail_of(start.abs().max_position(), context, view);
 }
 

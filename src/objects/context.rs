@@ -7,7 +7,7 @@ use glam::{DMat3, DQuat, DVec3, Mat3, Vec3};
 use super::{Palette, is_shown, object_named};
 use crate::frame::{single, single_matrix};
 use crate::physics::{State, poinsot, so3};
-use crate::scene;
+use crate::scene::{self, Scene};
 use crate::sim::Simulation;
 
 /// Radius at which the body is drawn in the world view.
@@ -20,7 +20,9 @@ const LONGEST_SEMI_AXIS: f64 = 1.3;
 /// What the objects of a picture are made from.
 #[derive(Debug)]
 pub struct Context<'a> {
-    /// The simulation.
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its motion.
     pub simulation: &'a Simulation,
     /// The settings of the view.
     pub settings: &'a scene::View,
@@ -41,8 +43,8 @@ pub struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    pub(super) fn new(simulation: &'a Simulation, settings: &'a scene::View, palette: &Palette) -> Self {
-        let scene = simulation.scene();
+    pub(super) fn new(scene: &'a Scene, simulation: &'a Simulation, palette: &Palette) -> Self {
+        let settings = &scene.view;
         let momentum = scene.start.world_momentum;
         let momentum_length = so3::norm(momentum);
         let radius = scene.parts.iter().map(|part| part.centre.length() + 0.5 * part.size.length()).fold(0.0, f64::max);
@@ -57,6 +59,7 @@ impl<'a> Context<'a> {
         let period = flip.unwrap_or(2.0 * turn).min(20.0 * turn);
         let reciprocal = |value: f64| if value.is_normal() { value.recip() } else { 0.0 };
         Self {
+            scene,
             simulation,
             settings,
             palette: *palette,

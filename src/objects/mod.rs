@@ -23,7 +23,7 @@ mod vectors;
 
 use crate::camera::Camera;
 use crate::frame::{Frame, View};
-use crate::scene;
+use crate::scene::{self, Scene, SceneError, SceneFile};
 use crate::sim::Simulation;
 
 pub use context::Context;
@@ -87,6 +87,14 @@ pub static OBJECTS: &[Object] = &[
     object("body-notes", "Words about the momentum sphere", Space::Body, true, notes::body),
 ];
 
+/// Checks a scene: the one way in for every text that becomes a picture.
+///
+/// # Errors
+/// See [`SceneError`].
+pub fn check(file: &SceneFile) -> Result<Scene, SceneError> {
+    Scene::check(file)
+}
+
 /// Looks an object up by its name.
 #[must_use]
 pub fn object_named(name: &str) -> Option<&'static Object> {
@@ -102,9 +110,9 @@ pub fn is_shown(object: &Object, view: &scene::View) -> bool {
 
 /// The camera of a space as pictures of it are drawn: with room for what stands out of the sphere.
 #[must_use]
-pub fn camera(simulation: &Simulation, settings: &scene::View, cameras: &Cameras, space: Space) -> Camera {
-    let palette = Palette::new(settings.theme);
-    camera_of(&Context::new(simulation, settings, &palette), cameras, space)
+pub fn camera(scene: &Scene, simulation: &Simulation, cameras: &Cameras, space: Space) -> Camera {
+    let palette = Palette::new(scene.view.theme);
+    camera_of(&Context::new(scene, simulation, &palette), cameras, space)
 }
 
 fn camera_of(context: &Context<'_>, cameras: &Cameras, space: Space) -> Camera {
@@ -115,11 +123,12 @@ fn camera_of(context: &Context<'_>, cameras: &Cameras, space: Space) -> Camera {
     camera
 }
 
-/// The picture of a simulation as it is now, in a picture of this aspect (width over height).
+/// The picture of a scene as its simulation is now, in a picture of this aspect (width over height).
 #[must_use]
-pub fn build_frame(simulation: &Simulation, settings: &scene::View, cameras: &Cameras, aspect: f32) -> Frame {
+pub fn build_frame(scene: &Scene, simulation: &Simulation, cameras: &Cameras, aspect: f32) -> Frame {
+    let settings = &scene.view;
     let palette = Palette::new(settings.theme);
-    let context = Context::new(simulation, settings, &palette);
+    let context = Context::new(scene, simulation, &palette);
     let views = areas(settings.layout, aspect)
         .into_iter()
         .map(|(space, area)| {

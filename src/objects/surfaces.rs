@@ -52,7 +52,7 @@ fn support(semi_axes: Vec3, direction: Vec3) -> Vec3 {
 /// Factor on the camera's distance that makes room for an ellipsoid that stands out of the sphere, as far as that leaves the
 /// sphere large enough.
 pub(super) fn room(context: &Context<'_>) -> f32 {
-    let scene = context.simulation.scene();
+    let scene = context.scene;
     let ell = so3::norm(scene.start.body_momentum);
     let longest = if ell > 0.0 { energy_reach(&scene.body, scene.start.body_momentum / ell) } else { 1.0 };
     (longest / 1.3).clamp(1.0, 1.7)

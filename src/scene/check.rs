@@ -8,7 +8,7 @@ use crate::physics::{self, Body, BodyError, METHODS, Method, State, methods::DEF
 /// Step (s) of a scene that names none.
 const DEFAULT_STEP: f64 = 0.001;
 /// Edges (m) of the body of a scene that names none.
-const DEFAULT_EDGES: [f64; 3] = [0.2, 0.12, 0.04];
+pub const DEFAULT_EDGES: [f64; 3] = [0.2, 0.12, 0.04];
 
 /// A scene that can be run.
 #[derive(Clone, Debug)]

@@ -12,7 +12,7 @@ mod parts;
 mod presets;
 mod view;
 
-pub use check::{Scene, SceneError};
+pub use check::{DEFAULT_EDGES, Scene, SceneError};
 pub use command::{flags, quoted};
 pub use file::{BodyFile, MotionFile, SceneFile, SolidFile, SpinFile, ViewFile};
 pub use nearest::nearest;

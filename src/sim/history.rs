@@ -2,10 +2,8 @@
 
 use std::collections::VecDeque;
 
-use crate::physics::{Motion, State, so3};
-use crate::scene::Scene;
-
 use super::{Runner, Simulation};
+use crate::physics::{Motion, State, so3};
 
 /// Most samples kept; past that every second one goes, so that the beginning is never lost.
 const MOST: usize = 1200;
@@ -22,16 +20,16 @@ pub struct Errors {
 }
 
 impl Errors {
-    /// Compares a state with the exact motion at the same time (s).
+    /// Compares a state that a simulation has now with its start and with the exact motion.
     #[must_use]
-    pub fn of(scene: &Scene, exact: &Motion, time: f64, state: &State) -> Self {
-        let start = &scene.start;
+    pub fn of(simulation: &Simulation, exact: &Motion, state: &State) -> Self {
+        let (body, start, time) = (simulation.body(), simulation.start(), simulation.time());
         let relative =
             |difference: f64, reference: f64| if reference == 0.0 { difference } else { difference / reference };
-        let energy = start.energy(&scene.body);
+        let energy = start.energy(body);
         let drift = state.world_momentum - start.world_momentum;
         Self {
-            energy: relative(state.energy(&scene.body) - energy, energy),
+            energy: relative(state.energy(body) - energy, energy),
             momentum: relative(so3::norm(drift), so3::norm(start.world_momentum)),
             attitude: so3::angle_between(exact.attitude(time), state.world_from_body),
         }
@@ -81,8 +79,7 @@ impl History {
             return;
         }
         let runners = std::iter::once(simulation.main()).chain(simulation.ghosts());
-        let errors =
-            runners.map(|runner: &Runner| Errors::of(simulation.scene(), exact, time, runner.state())).collect();
+        let errors = runners.map(|runner: &Runner| Errors::of(simulation, exact, runner.state())).collect();
         let sample = Sample { time, errors, is_after_gap: is_after && has_jumped };
         if is_after {
             self.samples.push_back(sample);
@@ -143,6 +140,7 @@ mod tests {
         let scene = Scene::check(&SceneFile::default())?;
         let exact = Motion::new(&scene.body, &scene.start);
         let mut simulation = Simulation::new(&scene);
+        let step = simulation.step_length();
         let mut history = History::default();
         history.record(&simulation, &exact);
         let mut run = |history: &mut History, to: Option<f64>| {
@@ -157,7 +155,6 @@ mod tests {
             }
             history.pieces(|_| Some(0.0)).len()
         };
-        let step = scene.step;
         assert_eq!(run(&mut history, None), 1);
         assert_eq!(run(&mut history, Some(4.0 * step)), 1);
         assert_eq!(run(&mut history, Some(100.0 * step)), 2);

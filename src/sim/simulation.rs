@@ -19,12 +19,8 @@ pub struct Runner {
 }
 
 impl Runner {
-    fn new(scene: &Scene, method: &'static Method) -> Self {
-        Self {
-            integration: Integration::new(method, &scene.body, scene.start, scene.step),
-            state: scene.start,
-            failure: None,
-        }
+    fn new(body: &Body, start: State, method: &'static Method, step: f64) -> Self {
+        Self { integration: Integration::new(method, body, start, step), state: start, failure: None }
     }
 
     /// The method that follows the body.
@@ -88,10 +84,12 @@ impl Runner {
     }
 }
 
-/// A scene in motion: its method, and beside it the ghosts that other methods make of the same start.
+/// A body in motion: its method, and beside it the ghosts that other methods make of the same start.
 #[derive(Clone, Debug)]
 pub struct Simulation {
-    scene: Scene,
+    body: Body,
+    start: State,
+    step: f64,
     /// The clock.
     pub clock: Clock,
     time: f64,
@@ -103,25 +101,44 @@ impl Simulation {
     /// Sets a scene at its start.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        Self {
-            clock: Clock::default(),
-            time: 0.0,
-            main: Runner::new(scene, scene.method),
-            ghosts: scene.compare.iter().map(|method| Runner::new(scene, method)).collect(),
-            scene: scene.clone(),
-        }
+        let compare = scene.compare.iter().copied();
+        Self::of_methods(&scene.body, scene.start, scene.step, scene.method, compare)
     }
 
-    /// The scene.
-    #[must_use]
-    pub fn scene(&self) -> &Scene {
-        &self.scene
+    fn of_methods(
+        body: &Body,
+        start: State,
+        step: f64,
+        method: &'static Method,
+        compare: impl Iterator<Item = &'static Method>,
+    ) -> Self {
+        Self {
+            body: *body,
+            start,
+            step,
+            clock: Clock::default(),
+            time: 0.0,
+            main: Runner::new(body, start, method, step),
+            ghosts: compare.map(|method| Runner::new(body, start, method, step)).collect(),
+        }
     }
 
     /// The body.
     #[must_use]
     pub fn body(&self) -> &Body {
-        &self.scene.body
+        &self.body
+    }
+
+    /// The state at time 0.
+    #[must_use]
+    pub fn start(&self) -> &State {
+        &self.start
+    }
+
+    /// The step (s) of every method.
+    #[must_use]
+    pub fn step_length(&self) -> f64 {
+        self.step
     }
 
     /// Simulated time (s).
@@ -150,7 +167,7 @@ impl Simulation {
 
     /// Advances by a frame's real time (s): as many whole steps as it holds.
     pub fn advance_frame(&mut self, real_seconds: f64) -> Tick {
-        let tick = self.clock.tick(real_seconds, self.scene.step);
+        let tick = self.clock.tick(real_seconds, self.step);
         if let Tick::Steps(count) | Tick::Capped(count) = tick {
             self.step(count);
         }
@@ -188,7 +205,8 @@ impl Simulation {
     /// Back to the start; paused or running as before.
     pub fn restart(&mut self) {
         let clock = self.clock;
-        *self = Self::new(&self.scene);
+        let compare = self.ghosts.iter().map(Runner::method);
+        *self = Self::of_methods(&self.body, self.start, self.step, self.main.method(), compare);
         self.clock = clock;
         self.clock.clear();
     }
@@ -196,15 +214,15 @@ impl Simulation {
     /// Relative error of the energy since the start (absolute where the body was at rest).
     #[must_use]
     pub fn energy_error(&self) -> f64 {
-        let start = self.scene.start.energy(&self.scene.body);
-        let now = self.state().energy(&self.scene.body);
+        let start = self.start.energy(&self.body);
+        let now = self.state().energy(&self.body);
         relative(now - start, start)
     }
 
     /// Relative error of the world momentum since the start (absolute where the body was at rest).
     #[must_use]
     pub fn momentum_error(&self) -> f64 {
-        let start = self.scene.start.world_momentum;
+        let start = self.start.world_momentum;
         relative((self.state().world_momentum - start).length(), start.length())
     }
 }

@@ -127,7 +127,7 @@ fn velocity(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
 }
 
 fn names(ui: &mut Ui, look: &Look<'_>) {
-    for (name, color) in NAMES.into_iter().zip(look.axis_colors) {
+    for (name, color) in NAMES.into_iter().zip(look.axis_colors()) {
         ui.label(RichText::new(name).size(17.0).strong().color(color));
     }
 }
@@ -147,9 +147,10 @@ fn velocity_graph(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let unit = |mark: egui_plot::GridMark, _: &_| format!("{} rad/s", trimmed(&significant(mark.value, 4)));
     let chart = plot("velocity", look).y_axis_min_width(70.0).y_axis_formatter(unit);
     let chart = chart.y_grid_spacer(egui_plot::uniform_grid_spacer(|grid| round_steps(&grid, 5.0)));
+    let colors = look.axis_colors();
     let response = chart.show(ui, |plot| {
         for (axis, name) in NAMES.into_iter().enumerate() {
-            let color = look.axis_colors[axis];
+            let color = colors[axis];
             let points: Vec<[f64; 2]> = curve.iter().map(|(time, omega)| [*time, omega.to_array()[axis]]).collect();
             plot.line(Line::new(name, PlotPoints::from(points)).color(color).width(2.0));
             // Where the method at work has it: off the line where the method errs.

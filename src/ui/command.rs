@@ -1,13 +1,12 @@
 //! What panels and keys ask for. Nothing in `ui` changes anything itself.
 
-use std::path::PathBuf;
-
-use crate::scene::{Layout, SceneFile};
+use crate::scene::{BodyFile, Layout};
 
 /// A point of the picture or a distance in it, in physical pixels.
 pub type Pixels = glam::Vec2;
 
-/// A wish of the user.
+/// Something the user asks for. A command carries the part that it changes and nothing else, so that two of them in one
+/// frame both hold.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
     /// Runs or pauses.
@@ -26,24 +25,43 @@ pub enum Command {
     Restart,
     /// Goes to this time (s).
     GoTo(f64),
-    /// To shortly before the next flip.
+    /// To the next flip.
     NextFlip,
-    /// Changes the scene's text; body and start take hold at once.
-    Edit(Box<SceneFile>),
+    /// Takes this body instead; the start stays as it is said.
+    SetBody(Box<BodyFile>),
     /// Spin about this principal axis, tilt and rate as they are.
     SpinAxis(u8),
+    /// Tilts the spin this far (degrees) from its axis, in the direction in which it is tilted.
+    SetTilt(f64),
+    /// Spins this fast (rad/s) about the same line.
+    SetRate(f64),
     /// A start of the same momentum with this energy (J).
     SetEnergy(f64),
     /// A start of the same momentum on the separatrix.
     ToSeparatrix,
-    /// A small nudge to the body as it turns, which keeps the momentum.
+    /// Turns the body a little under its momentum, which stays.
     Poke,
+    /// Follows the motion by the method of this name.
+    SetMethod(&'static str),
+    /// Takes steps of this length (s).
+    SetStep(f64),
+    /// Runs a method beside it from the same start, or no longer.
+    Compare {
+        /// Its name.
+        method: &'static str,
+        /// Whether it runs.
+        is_on: bool,
+    },
     /// The pointer is here over the picture, or nowhere.
     Hover(Option<Pixels>),
     /// Starts with the body momentum where the sphere was clicked.
     Pick(Pixels),
     /// Starts with the body momentum where the tip of M is dragged to.
     DragTip(Pixels),
+    /// Takes the last change back.
+    Undo,
+    /// Makes the change again that was taken back last.
+    Redo,
     /// The scene as it was opened.
     Reopen,
     /// The next scene.
@@ -52,8 +70,19 @@ pub enum Command {
     PreviousScene,
     /// Opens the scene at this place in the list.
     OpenScene(usize),
-    /// Opens a scene file.
-    OpenFile(PathBuf),
+    /// Opens what a place names: a scene file, or a folder of them.
+    OpenPlace(String),
+    /// Opens the text of a scene.
+    OpenText {
+        /// What it came from, for people.
+        name: String,
+        /// The text (TOML).
+        text: String,
+    },
+    /// Takes what was pasted: the text of a scene, or a place where one is.
+    Paste(String),
+    /// The picture is this large (pixels).
+    Resize(Pixels),
     /// Turns the camera of the view under the pointer.
     Orbit {
         /// Where the pointer is.
@@ -111,8 +140,12 @@ pub enum Command {
     },
     /// The command that draws this picture, to the clipboard.
     CopyCommand,
-    /// Writes the scene to a file.
+    /// Keeps the scene: at once in a new file, or, where it came from a file, after asking whether that one is meant.
     SaveScene,
+    /// Writes the scene to this place; a new file where there is none.
+    SaveTo(Option<String>),
+    /// Leaves a question about saving unanswered.
+    SaveNothing,
     /// Moves the keyboard's focus into the panel.
     FocusPanel,
 }

@@ -1,7 +1,5 @@
 //! The keys: one table that the bindings and the help sheet both read.
 
-use std::path::PathBuf;
-
 use egui::{Event, Key, RawInput};
 
 use super::{Command, Look};
@@ -18,6 +16,8 @@ enum Held {
     Any,
     /// With Ctrl (⌘ on a Mac), Shift either way.
     Control,
+    /// With Ctrl (⌘ on a Mac) and Shift.
+    ControlShift,
 }
 
 /// A row of the table.
@@ -62,7 +62,7 @@ fn on_off(is_on: bool) -> &'static str {
     if is_on { "on" } else { "off" }
 }
 
-use Held::{Any, Control, Down, Up};
+use Held::{Any, Control, ControlShift, Down, Up};
 
 /// The keys, in the order in which the help sheet shows them.
 pub static BINDINGS: &[Binding] = &[
@@ -86,7 +86,7 @@ pub static BINDINGS: &[Binding] = &[
     row("PageDown", &[(Up, Key::PageDown)], "next scene", Command::NextScene, silent),
     row("PageUp", &[(Up, Key::PageUp)], "previous scene", Command::PreviousScene, silent),
     row("F", &[(Up, Key::F)], "frame: world, body, both", Command::NextLayout, |look| {
-        Some(match look.view.layout {
+        Some(match look.scene.view.layout {
             Layout::Both => "both",
             Layout::World => "world",
             Layout::Body => "body",
@@ -94,12 +94,14 @@ pub static BINDINGS: &[Binding] = &[
     }),
     row("Home", &[(Up, Key::Home)], "camera home", Command::Home, silent),
     row("T", &[(Up, Key::T)], "theme", Command::ToggleTheme, |look| {
-        Some(match look.view.theme {
+        Some(match look.scene.view.theme {
             Theme::Dark => "dark",
             Theme::Light => "light",
         })
     }),
-    row("L", &[(Up, Key::L)], "names in the picture", Command::ToggleLabels, |look| Some(on_off(look.view.labels))),
+    row("L", &[(Up, Key::L)], "names in the picture", Command::ToggleLabels, |look| {
+        Some(on_off(look.scene.view.labels))
+    }),
     row("S", &[(Up, Key::S)], "text of the scene", Command::ToggleSlide, |look| Some(on_off(look.shown.slide))),
     row("G", &[(Up, Key::G)], "graphs", Command::ToggleCharts, |look| Some(on_off(look.shown.charts))),
     row("Tab", &[(Up, Key::Tab)], "panel", Command::TogglePanel, |look| Some(on_off(look.shown.panel))),
@@ -114,6 +116,8 @@ pub static BINDINGS: &[Binding] = &[
         silent,
     ),
     row("Ctrl+C", &[(Control, Key::C)], "copy as command", Command::CopyCommand, silent),
+    row("Ctrl+Z", &[(Control, Key::Z)], "take the last change back", Command::Undo, silent),
+    row("Ctrl+Shift+Z", &[(ControlShift, Key::Z)], "make it again", Command::Redo, silent),
     row("Ctrl+S", &[(Control, Key::S)], "save the scene", Command::SaveScene, silent),
     row("Ctrl +", &[(Control, Key::Plus), (Control, Key::Equals)], "larger text", Command::TextSize(1.1), silent),
     row("Ctrl −", &[(Control, Key::Minus)], "smaller text", Command::TextSize(1.0 / 1.1), silent),
@@ -141,9 +145,10 @@ pub fn keys_of(command: &Command) -> Option<&'static str> {
 }
 
 /// The file or folder that a text from a file manager's clipboard names: a path, or a `file:` address with `%20` for a space.
-fn path_in(text: &str) -> Option<PathBuf> {
+#[must_use]
+pub fn path_in(text: &str) -> Option<String> {
     let line = text.lines().map(str::trim).find(|line| line.starts_with('/') || line.starts_with("file://"))?;
-    let Some(address) = line.strip_prefix("file://") else { return Some(PathBuf::from(line)) };
+    let Some(address) = line.strip_prefix("file://") else { return Some(line.to_owned()) };
     let mut bytes = vec![];
     let mut rest = address.as_bytes();
     while let Some((&byte, after)) = rest.split_first() {
@@ -152,7 +157,7 @@ fn path_in(text: &str) -> Option<PathBuf> {
         bytes.push(decoded.unwrap_or(byte));
         rest = if decoded.is_some() { &after[2..] } else { after };
     }
-    String::from_utf8(bytes).ok().map(PathBuf::from)
+    String::from_utf8(bytes).ok()
 }
 
 /// Takes the bound keys out of the input, and gives the commands they stand for.
@@ -168,7 +173,7 @@ pub fn take_commands(input: &mut RawInput, widget_has_keyboard: bool) -> Vec<Com
         if let Event::Paste(text) = event
             && !widget_has_keyboard
         {
-            commands.extend(path_in(text).map(Command::OpenFile));
+            commands.push(Command::Paste(text.clone()));
             return false;
         }
         let Event::Key { key, pressed, repeat, modifiers, .. } = event else { return true };
@@ -186,7 +191,8 @@ pub fn take_commands(input: &mut RawInput, widget_has_keyboard: bool) -> Vec<Com
                         Up => !modifiers.shift && !modifiers.command,
                         Down => modifiers.shift && !modifiers.command,
                         Any => !modifiers.command,
-                        Control => modifiers.command,
+                        Control => modifiers.command && !(modifiers.shift && *bound == Key::Z),
+                        ControlShift => modifiers.command && modifiers.shift,
                     }
             })
         });
@@ -202,11 +208,10 @@ pub fn take_commands(input: &mut RawInput, widget_has_keyboard: bool) -> Vec<Com
 #[cfg(test)]
 mod tests {
     use super::path_in;
-    use std::path::PathBuf;
 
     #[test]
     fn a_copied_file_is_found_in_the_clipboard() {
-        let path = |text: &str| Some(PathBuf::from(text));
+        let path = |text: &str| Some(text.to_owned());
         assert_eq!(path_in("/home/me/flip.toml\n"), path("/home/me/flip.toml"));
         assert_eq!(path_in("copy\nfile:///tmp/my%20lecture/%C3%BC.toml"), path("/tmp/my lecture/ü.toml"));
         assert_eq!(path_in("file:///tmp/50%.toml"), path("/tmp/50%.toml"));

@@ -1,7 +1,11 @@
 //! What the panels see.
 
+use egui::Color32;
+
+use crate::frame::Color;
+use crate::objects::{self, Palette};
 use crate::physics::{Method, Motion};
-use crate::scene::{Scene, Theme, View};
+use crate::scene::{Scene, SceneFile};
 use crate::sim::{FlipWatch, History, Simulation};
 
 use super::{Pixels, Timeline};
@@ -11,10 +15,10 @@ use super::{Pixels, Timeline};
 pub struct Look<'a> {
     /// The running simulation.
     pub sim: &'a Simulation,
-    /// Its scene.
+    /// The scene.
     pub scene: &'a Scene,
-    /// How it is looked at.
-    pub view: &'a View,
+    /// The scene's text as it was opened.
+    pub opened: &'a SceneFile,
     /// The exact motion from the same start.
     pub motion: &'a Motion,
     /// What the methods have strayed so far.
@@ -23,16 +27,6 @@ pub struct Look<'a> {
     pub flips: &'a FlipWatch,
     /// The flips that come, and how far the scrub bar reaches.
     pub timeline: &'a Timeline,
-    /// The ground of the picture, for what is written over it.
-    pub ground: egui::Color32,
-    /// Colours of the principal axes 1, 2, 3 in the picture.
-    pub axis_colors: [egui::Color32; 3],
-    /// Colour of a method in the picture.
-    pub method_color: fn(&Method, Theme) -> egui::Color32,
-    /// Colour of the scene's own method in the picture: that of M.
-    pub own_color: egui::Color32,
-    /// Everything that can be drawn, and whether it is.
-    pub items: fn(&View) -> Vec<Item>,
     /// Where the tip of M is in the picture (pixels), where it can be taken hold of.
     pub tip: Option<Pixels>,
     /// What a click on the sphere would start.
@@ -46,7 +40,9 @@ pub struct Look<'a> {
     /// Simulated seconds a real second, as measured while playing.
     pub real_time_factor: Option<f64>,
     /// What is shown besides the picture.
-    pub shown: Shown,
+    pub shown: &'a Shown,
+    /// Whether a change can be taken back, and whether one can be made again.
+    pub can_undo: (bool, bool),
     /// Whether the window fills the screen.
     pub fullscreen: bool,
     /// A sentence for the user about what was last done or refused.
@@ -59,10 +55,32 @@ impl Look<'_> {
         if self.name.is_empty() { "Own scene" } else { self.name }
     }
 
-    /// A method's colour: as a ghost, or the body's own.
-    pub(super) fn color_of(&self, method: &Method) -> egui::Color32 {
+    /// Whether body, start or method are no longer those that the scene's words speak of.
+    pub(super) fn is_edited(&self) -> bool {
+        let (now, then) = (&self.scene.file, self.opened);
+        now.body != then.body || now.spin != then.spin || now.motion != then.motion
+    }
+
+    /// The colours of the picture.
+    fn palette(&self) -> Palette {
+        Palette::new(self.scene.view.theme)
+    }
+
+    /// The ground of the picture, for what is written over it.
+    pub(super) fn ground(&self) -> Color32 {
+        drawn(self.palette().background)
+    }
+
+    /// Colours of the principal axes 1, 2, 3 in the picture.
+    pub(super) fn axis_colors(&self) -> [Color32; 3] {
+        self.palette().axes.map(drawn)
+    }
+
+    /// A method's colour: as a ghost, or the body's own, which is that of M.
+    pub(super) fn color_of(&self, method: &Method) -> Color32 {
         let is_own = method.name == self.scene.method.name;
-        if is_own { self.own_color } else { (self.method_color)(method, self.view.theme) }
+        let color = if is_own { self.palette().momentum } else { objects::method_color(method, self.scene.view.theme) };
+        drawn(color)
     }
 
     /// A method's name in its colour.
@@ -71,21 +89,14 @@ impl Look<'_> {
     }
 }
 
-/// Something that can be drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Item {
-    /// Name in scene files.
-    pub name: &'static str,
-    /// Name for people.
-    pub label: &'static str,
-    /// Drawn in the world, and not in momentum space.
-    pub is_of_world: bool,
-    /// Whether it is drawn now.
-    pub is_shown: bool,
+/// A colour of the picture, as the panels draw colours.
+fn drawn(color: Color) -> Color32 {
+    let [r, g, b, _] = color.0.map(|channel| (channel * 255.0).round() as u8);
+    Color32::from_rgb(r, g, b)
 }
 
 /// What is shown besides the picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[allow(clippy::struct_excessive_bools, reason = "each is shown or not, whatever the others are")]
 pub struct Shown {
     /// The panel and the strip of time.
@@ -96,6 +107,16 @@ pub struct Shown {
     pub charts: bool,
     /// The sheet of keys.
     pub help: bool,
+    /// The file about which it is asked whether the scene is to be written there.
+    pub saving: Option<String>,
+}
+
+impl Shown {
+    /// As it was the last time, with nothing asked.
+    #[must_use]
+    pub fn remembered(panel: bool, slide: bool, charts: bool) -> Self {
+        Self { panel, slide, charts, help: false, saving: None }
+    }
 }
 
 /// A start on the momentum sphere under the pointer.

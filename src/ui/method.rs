@@ -5,7 +5,6 @@ use egui::{ComboBox, Ui};
 use super::widgets::{NumberRow, section};
 use super::{Command, Look};
 use crate::physics::METHODS;
-use crate::scene::{MotionFile, SceneFile};
 
 /// Height of a list that shows every method without scrolling (points).
 const LONGEST: f32 = 420.0;
@@ -14,15 +13,13 @@ const LONGEST: f32 = 420.0;
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     section(ui, "Method");
     let scene = look.scene;
-    let edit = |motion: MotionFile| Command::Edit(Box::new(SceneFile { motion, ..scene.file.clone() }));
     let combo = ComboBox::from_id_salt("method").width(ui.available_width()).height(LONGEST);
     let combo = combo.selected_text(scene.method.label);
     let shown = combo.show_ui(ui, |ui| {
         for method in METHODS {
             let row = ui.selectable_label(method.name == scene.method.name, method.label);
             if row.on_hover_text(method.source).clicked() {
-                let method = Some(method.name.to_owned());
-                commands.push(edit(MotionFile { method, ..scene.file.motion.clone() }));
+                commands.push(Command::SetMethod(method.name));
             }
         }
     });
@@ -38,7 +35,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         hint: "Simulated time that one step of the method covers",
     };
     if step.ui(ui, &mut milliseconds).changed() && milliseconds > 0.0 {
-        commands.push(edit(MotionFile { step: Some(milliseconds * 1e-3), ..scene.file.motion.clone() }));
+        commands.push(Command::SetStep(milliseconds * 1e-3));
     }
 }
 
@@ -55,14 +52,7 @@ fn compare(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         for method in METHODS.iter().filter(|method| method.name != scene.method.name) {
             let mut is_on = scene.compare.iter().any(|other| other.name == method.name);
             if ui.checkbox(&mut is_on, look.method_text(method)).changed() {
-                let mut compare: Vec<String> = scene.compare.iter().map(|other| other.name.to_owned()).collect();
-                if is_on {
-                    compare.push(method.name.to_owned());
-                } else {
-                    compare.retain(|other| other != method.name);
-                }
-                let motion = MotionFile { compare, ..scene.file.motion.clone() };
-                commands.push(Command::Edit(Box::new(SceneFile { motion, ..scene.file.clone() })));
+                commands.push(Command::Compare { method: method.name, is_on });
             }
         }
     });

@@ -11,6 +11,7 @@ mod method;
 pub mod numbers;
 mod picture;
 mod readouts;
+mod save;
 mod slide;
 mod spin;
 pub mod style;
@@ -22,7 +23,8 @@ mod widgets;
 use egui::{ComboBox, Frame, Margin, Panel, Rect, RichText, ScrollArea, Ui};
 
 pub use command::{Command, Pixels};
-pub use look::{Item, Look, Preview, Shown};
+pub use keys::path_in;
+pub use look::{Look, Preview, Shown};
 pub use spin::Spin;
 pub use timeline::Timeline;
 pub use transport::SPEED_POWERS;
@@ -102,6 +104,9 @@ impl Panels {
         }
         if look.shown.help {
             help::show(ui, look, &mut commands);
+        }
+        if let Some(place) = &look.shown.saving {
+            save::show(ui, place, &mut commands);
         }
         if let Some(focused) = ui.memory(egui::Memory::focused) {
             self.last_focus = Some(focused);

@@ -45,6 +45,24 @@ pub fn speed(factor: f64) -> String {
     }
 }
 
+/// A length of time (s) in the unit that people would say it in.
+#[must_use]
+pub fn duration(seconds: f64) -> String {
+    const MINUTE: f64 = 60.0;
+    const HOUR: f64 = 3600.0;
+    const DAY: f64 = 86_400.0;
+    const YEAR: f64 = 365.25 * DAY;
+    let said = |value: f64, unit: &str| format!("{} {unit}", trimmed(&significant(value, 3)));
+    match seconds.abs() {
+        size if size < 100.0 => format!("{seconds:.1} s").replace('-', "−"),
+        size if size < 20.0 * MINUTE => format!("{seconds:.0} s").replace('-', "−"),
+        size if size < 3.0 * HOUR => said(seconds / MINUTE, "min"),
+        size if size < 2.0 * DAY => said(seconds / HOUR, "h"),
+        size if size < 2.0 * YEAR => said(seconds / DAY, "days"),
+        _ => said(seconds / YEAR, "years"),
+    }
+}
+
 fn superscript(digits: &str) -> String {
     digits
         .chars()
@@ -74,4 +92,19 @@ pub fn scientific_short(value: f64) -> String {
 #[must_use]
 pub fn power_of_ten(exponent: f64) -> String {
     format!("10{}", superscript(&format!("{exponent:.0}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::duration;
+
+    #[test]
+    fn a_long_time_is_said_in_years() {
+        assert_eq!(duration(4.021), "4.0 s");
+        assert_eq!(duration(135.1), "135 s");
+        assert_eq!(duration(5400.0), "90 min");
+        assert_eq!(duration(100_000.0), "27.8 h");
+        assert_eq!(duration(12_060_919_784.8), "382 years");
+        assert_eq!(duration(-0.3), "−0.3 s");
+    }
 }

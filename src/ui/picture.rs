@@ -3,7 +3,8 @@
 use egui::Ui;
 
 use super::widgets::{choice, section};
-use super::{Command, Item, Look, keys};
+use super::{Command, Look, keys};
+use crate::objects::{self, Space};
 use crate::scene::{Layout, Theme};
 
 /// Shows it.
@@ -14,16 +15,16 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         (Layout::World, "world", "Seen from the room: the body tumbles, L stays"),
         (Layout::Body, "body", "Seen from the body: momentum space, M moves"),
     ];
-    if let Some(layout) = choice(ui, Some(look.view.layout), &layouts) {
+    if let Some(layout) = choice(ui, Some(look.scene.view.layout), &layouts) {
         commands.push(Command::SetLayout(layout));
     }
     let themes = [(Theme::Dark, "dark", "For a dark hall"), (Theme::Light, "light", "For bright rooms and print")];
-    if choice(ui, Some(look.view.theme), &themes).is_some_and(|theme| theme != look.view.theme) {
+    if choice(ui, Some(look.scene.view.theme), &themes).is_some_and(|theme| theme != look.scene.view.theme) {
         commands.push(Command::ToggleTheme);
     }
     ui.horizontal_wrapped(|ui| {
         for (name, is_on, command) in [
-            ("names", look.view.labels, Command::ToggleLabels),
+            ("names", look.scene.view.labels, Command::ToggleLabels),
             ("text", look.shown.slide, Command::ToggleSlide),
             ("graphs", look.shown.charts, Command::ToggleCharts),
         ] {
@@ -34,14 +35,13 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         }
     });
     keep(ui, commands);
-    let items = (look.items)(look.view);
-    if look.view.layout != Layout::Body {
+    if look.scene.view.layout != Layout::Body {
         section(ui, "In the room");
-        checkboxes(ui, items.iter().filter(|item| item.is_of_world), commands);
+        checkboxes(ui, look, Space::World, commands);
     }
-    if look.view.layout != Layout::World {
+    if look.scene.view.layout != Layout::World {
         section(ui, "In the body");
-        checkboxes(ui, items.iter().filter(|item| !item.is_of_world), commands);
+        checkboxes(ui, look, Space::Body, commands);
     }
 }
 
@@ -52,6 +52,8 @@ fn keep(ui: &mut Ui, commands: &mut Vec<Command>) {
         ("write picture", Command::Picture { transparent: false }),
         ("copy as command", Command::CopyCommand),
         ("save scene", Command::SaveScene),
+        ("undo", Command::Undo),
+        ("redo", Command::Redo),
         ("camera home", Command::Home),
         ("keys", Command::ToggleHelp),
     ];
@@ -64,12 +66,14 @@ fn keep(ui: &mut Ui, commands: &mut Vec<Command>) {
     });
 }
 
-fn checkboxes<'a>(ui: &mut Ui, items: impl Iterator<Item = &'a Item>, commands: &mut Vec<Command>) {
+/// What can be drawn in a space, what is usually shown first.
+fn checkboxes(ui: &mut Ui, look: &Look<'_>, space: Space, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = 3.0;
-    for item in items {
-        let mut is_shown = item.is_shown;
-        if ui.checkbox(&mut is_shown, item.label).on_hover_text(item.name).changed() {
-            commands.push(Command::Show { name: item.name, is_shown });
+    let of_space = || objects::OBJECTS.iter().filter(|object| object.space == space);
+    for object in of_space().filter(|object| object.shown).chain(of_space().filter(|object| !object.shown)) {
+        let mut is_shown = objects::is_shown(object, &look.scene.view);
+        if ui.checkbox(&mut is_shown, object.label).on_hover_text(object.name).changed() {
+            commands.push(Command::Show { name: object.name, is_shown });
         }
     }
 }

@@ -85,8 +85,6 @@ fn stays(drift: f64) -> (String, bool) {
 /// How far each method strays.
 pub(super) fn errors(ui: &mut Ui, look: &Look<'_>) {
     section(ui, "Errors");
-    let scene = look.scene;
-    let time = look.sim.time();
     let is_dark = ui.visuals().dark_mode;
     Grid::new("errors").num_columns(4).spacing([6.0, 4.0]).min_col_width(46.0).show(ui, |ui| {
         ui.label("");
@@ -95,7 +93,7 @@ pub(super) fn errors(ui: &mut Ui, look: &Look<'_>) {
         }
         ui.end_row();
         for runner in std::iter::once(look.sim.main()).chain(look.sim.ghosts()) {
-            let errors = Errors::of(scene, look.motion, time, runner.state());
+            let errors = Errors::of(look.sim, look.motion, runner.state());
             ui.allocate_ui_with_layout(egui::vec2(112.0, 16.0), Layout::left_to_right(Align::Center), |ui| {
                 ui.set_width(112.0);
                 let name = egui::Label::new(look.method_text(runner.method()).small()).truncate();

@@ -12,18 +12,25 @@ const SIDE: i8 = 24;
 const ABOVE: i8 = 14;
 const BELOW: i8 = 12;
 const BETWEEN: f32 = 5.0;
+/// How strong the words are that may no longer be true.
+const FADED: f32 = 0.45;
 
 /// Shows it, where the scene says anything, and only as many of its parts as this height (points) holds.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
-    // Lines of the file are no lines of the slide.
-    let joined = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     let file = &look.scene.file;
     let text_color = ui.visuals().text_color();
+    // The words speak of the scene as it was opened: changed, it may do something else.
+    let faded = if look.is_edited() { FADED } else { 1.0 };
     let accent = style::accent(ui.visuals().dark_mode);
+    let title = if look.is_edited() && !file.title.trim().is_empty() {
+        format!("{} (edited)", lines(&file.title))
+    } else {
+        lines(&file.title)
+    };
     let parts = [
-        (joined(&file.title), TITLE, text_color),
-        (joined(&file.text), WORDS, text_color),
-        (joined(&file.question), WORDS, accent),
+        (title, TITLE, text_color),
+        (lines(&file.text), WORDS, text_color.gamma_multiply(faded)),
+        (lines(&file.question), WORDS, accent.gamma_multiply(faded)),
     ];
     let width = ui.available_width() - 2.0 * f32::from(SIDE);
     let mut height = f32::from(ABOVE) + f32::from(BELOW);
@@ -44,6 +51,11 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
             ui.label(if *size == TITLE { text.strong() } else { text });
         }
     });
+}
+
+/// A text with the line breaks that were written, and no space around them.
+fn lines(text: &str) -> String {
+    text.trim().lines().map(str::trim).collect::<Vec<_>>().join("\n")
 }
 
 /// Height of a text in lines of this width (points).

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::widgets::{NumberRow, choice, note, section};
 use super::{Command, Look};
-use crate::scene::{Scene, SceneFile, SpinFile};
+use crate::scene::Scene;
 
 /// The start as the panel shows it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,19 +41,6 @@ impl Spin {
         let across = (principal - along * unit).length();
         Self { axis, tilt_deg: across.atan2(along.abs()).to_degrees(), rate: principal.length() }
     }
-
-    /// The scene's text with this start; the attitude stays.
-    #[must_use]
-    pub fn write(self, file: &SceneFile) -> SceneFile {
-        let spin = SpinFile {
-            axis: Some(self.axis),
-            tilt_deg: Some(self.tilt_deg),
-            rate: Some(self.rate),
-            omega: None,
-            ..file.spin.clone()
-        };
-        SceneFile { spin, ..file.clone() }
-    }
 }
 
 /// Shows it.
@@ -84,10 +71,12 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         logarithmic: None,
         hint: "Angular speed at the start",
     };
-    let mut tilted = tilt.ui(ui, &mut spin.tilt_deg).changed();
-    tilted |= exactly(ui, &mut spin);
-    if tilted | rate.ui(ui, &mut spin.rate).changed() {
-        commands.push(Command::Edit(Box::new(spin.write(&look.scene.file))));
+    if tilt.ui(ui, &mut spin.tilt_deg).changed() {
+        commands.push(Command::SetTilt(spin.tilt_deg));
+    }
+    exactly(ui, spin, commands);
+    if rate.ui(ui, &mut spin.rate).changed() {
+        commands.push(Command::SetRate(spin.rate));
     }
     energy(ui, look, commands);
     ui.horizontal(|ui| {
@@ -99,28 +88,24 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         ) {
             commands.push(Command::ToSeparatrix);
         }
-        if button(ui, "poke", "Nudges the body by 1° as it turns; the momentum stays (P)") {
+        if button(ui, "poke", "Turns the body by 1° under its momentum: L stays, M moves to a neighbouring path (P)") {
             commands.push(Command::Poke);
         }
     });
 }
 
-/// The button for no tilt at all, which no slider is trusted to reach. True where it was pressed.
-fn exactly(ui: &mut Ui, spin: &mut Spin) -> bool {
+/// The button for no tilt at all, which no slider is trusted to reach.
+fn exactly(ui: &mut Ui, spin: Spin, commands: &mut Vec<Command>) {
     let is_on = spin.tilt_deg == 0.0;
-    let pressed = ui.horizontal(|ui| {
+    ui.horizontal(|ui| {
         let button = egui::Button::selectable(is_on, "exactly 0").frame_when_inactive(true);
         let pressed = ui.add(button).on_hover_text("No tilt at all: the spin is about the axis itself").clicked();
         if is_on {
             note(ui, if spin.axis == 2 { "exactly on the axis: never flips" } else { "exactly on the axis" });
+        } else if pressed {
+            commands.push(Command::SetTilt(0.0));
         }
-        pressed
     });
-    let is_new = pressed.inner && !is_on;
-    if is_new {
-        spin.tilt_deg = 0.0;
-    }
-    is_new
 }
 
 /// The energy at this momentum, between a spin about axis 3 and one about axis 1, with a tick at the separatrix.

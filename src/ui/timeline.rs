@@ -111,7 +111,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             commands.push(Command::GoTo(wanted));
         }
     }
-    for wanted in reader_wishes(ui, response.id, time, (high - low) * STEP) {
+    for wanted in asked_by_reader(ui, response.id, time, (high - low) * STEP) {
         commands.push(Command::GoTo(wanted.clamp(low, high)));
     }
     if response.has_focus() {
@@ -129,7 +129,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
 }
 
 /// The times (s) that a screen reader asks for.
-fn reader_wishes(ui: &Ui, id: egui::Id, time: f64, step: f64) -> Vec<f64> {
+fn asked_by_reader(ui: &Ui, id: egui::Id, time: f64, step: f64) -> Vec<f64> {
     ui.input(|input| {
         let set = input.accesskit_action_requests(id, Action::SetValue).filter_map(|request| match request.data {
             Some(ActionData::NumericValue(wanted)) => Some(wanted),

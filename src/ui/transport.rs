@@ -73,7 +73,7 @@ fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             let pointer = &input.pointer;
             (pointer.any_released() && !pointer.any_pressed(), !pointer.is_decidedly_dragging())
         });
-        // A press on the handle itself is no wish.
+        // A press on the handle itself asks for nothing.
         let is_on_handle = is_down && is_still && power.abs() < 1.0;
         let by_key = !is_down && power.abs() < 0.5;
         let power = if by_key { power.signum() } else { power.round() };
@@ -93,7 +93,6 @@ fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
 fn flips(ui: &mut Ui, look: &Look<'_>) {
     let large = |text: String| RichText::new(text).size(20.0).strong();
     let words = |text: String| RichText::new(text).size(14.5);
-    let seconds = |time: f64| format!("{} s", numbers::significant(time, 3));
     let speed = look.sim.clock.speed;
     let next = look.timeline.next_flip(look.sim.time(), speed < 0.0);
     ui.vertical(|ui| {
@@ -101,7 +100,7 @@ fn flips(ui: &mut Ui, look: &Look<'_>) {
         match next {
             Some(next) => {
                 let wait = (next - look.sim.time()).abs();
-                let text = large(format!("next flip in {wait:.1} s"));
+                let text = large(format!("next flip in {}", numbers::duration(wait)));
                 let is_soon = wait < SOON * speed.abs();
                 let color = style::warning(ui.visuals().dark_mode);
                 ui.label(if is_soon { text.color(color) } else { text });
@@ -116,13 +115,16 @@ fn flips(ui: &mut Ui, look: &Look<'_>) {
         let class = poinsot::classify(&look.scene.body, look.scene.start.body_momentum);
         if let (MotionClass::Separatrix, Some(period)) = (class, look.timeline.period) {
             // The start on the separatrix is rounded like any number: what flips it again is that.
-            ui.label(words(format!("once; again after {} by rounding alone", seconds(period))));
+            ui.label(words(format!("once; again after {} by rounding alone", numbers::duration(period))));
         } else if let Some(period) = look.timeline.period {
             // Counted from the start, wherever one came from.
             let count = next.map_or(0.0, |next| flips_since_start(look.timeline, next, speed < 0.0));
-            let count = format!("{count:.0} so far").replace('-', "−");
-            let measured = look.flips.between().map_or(String::new(), |time| format!(", measured {}", seconds(time)));
-            ui.label(words(format!("{count}, one every {}{measured}", seconds(period))));
+            let count =
+                if count < 0.0 { format!("{:.0} before the start", -count) } else { format!("{count:.0} so far") };
+            let every = numbers::duration(period);
+            let measured = look.flips.between().map(numbers::duration).filter(|measured| *measured != every);
+            let measured = measured.map_or(String::new(), |time| format!(", measured {time}"));
+            ui.label(words(format!("{count}, one every {every}{measured}")));
         }
     });
 }

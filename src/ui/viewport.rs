@@ -120,6 +120,6 @@ fn preview(ui: &Ui, rect: Rect, scale: f32, look: &Look<'_>) {
     let place = at(&preview.at) + Vec2::new(aside, -12.0);
     let words = painter.layout_no_wrap(preview.words.to_owned(), egui::FontId::proportional(17.0), front.color);
     let ground = align.anchor_size(place, words.size());
-    painter.rect_filled(ground.expand(4.0), 4.0, look.ground.gamma_multiply(0.8));
+    painter.rect_filled(ground.expand(4.0), 4.0, look.ground().gamma_multiply(0.8));
     painter.galley(ground.min, words, front.color);
 }

@@ -189,7 +189,7 @@ fn samples(gpu: &Gpu, scene: &Scene, recording: &Recording) -> Result<Vec<Pixels
     (0..wanted)
         .map(|sample| {
             simulation.go_to(recording.time(start + sample * (end - start) / wanted));
-            let frame = build_frame(&simulation, &scene.view, &cameras, studio.aspect());
+            let frame = build_frame(scene, &simulation, &cameras, studio.aspect());
             Ok(studio.draw(&frame)?)
         })
         .collect()

@@ -5,7 +5,7 @@ use glam::{DMat3, DVec3};
 use crate::physics::{Body, State, so3};
 
 /// Angle (rad) of a nudge.
-const POKE: f64 = 1.0 / 57.3;
+const POKE: f64 = std::f64::consts::PI / 180.0;
 /// Tilt (rad) from the middle axis of a start on the separatrix that would else stay on the axis for ever.
 const OFF_AXIS: f64 = 1e-3;
 

@@ -12,25 +12,17 @@ pub(super) const MOST_STEPS: f64 = 4e6;
 const FLIPS_AHEAD: f64 = 5.0;
 /// Share of the momentum that must lie along the middle axis at times for the body to be seen turning over.
 const TURNS_OVER: f64 = 0.8;
-/// How long before a flip one arrives (s of real time).
-const BEFORE_FLIP: f64 = 0.7;
 
 impl Session {
     /// Lets real time (s) pass.
-    pub(in crate::app) fn advance(&mut self, real_seconds: f64) {
+    pub(super) fn run(&mut self, real_seconds: f64) {
         if self.sim.advance_frame(real_seconds) != Tick::Still {
             self.time_has_passed();
         }
     }
 
-    /// Whether simulated time runs.
-    pub(in crate::app) fn is_playing(&self) -> bool {
-        !self.sim.clock.paused
-    }
-
     /// Notes what came of steps taken.
     fn time_has_passed(&mut self) {
-        self.picture_changed = true;
         self.flips.watch(&self.sim);
         self.history.record(&self.sim, &self.motion);
         self.stretch_timeline();
@@ -42,14 +34,14 @@ impl Session {
 
     /// Time was set: nothing is measured across the gap.
     pub(super) fn time_was_set(&mut self) {
-        self.time_jumped = true;
+        self.jumps += 1;
         self.flips.jump();
         self.history.jump();
         self.time_has_passed();
     }
 
     /// A new motion begins: what was seen and measured was another one.
-    pub(in crate::app) fn forget_the_past(&mut self) {
+    pub(super) fn forget_the_past(&mut self) {
         self.history.clear();
         self.flips = crate::sim::FlipWatch::default();
         self.preview = None;
@@ -57,10 +49,13 @@ impl Session {
         self.time_was_set();
     }
 
-    /// Shows a time, however long the way to it.
-    pub(in crate::app) fn show_time(&mut self, time: f64) {
+    /// Shows a time (s), paused, however long the way to it.
+    pub fn show_time(&mut self, time: f64) {
+        let seen = self.seen();
+        self.sim.clock.paused = true;
         self.sim.go_to(time);
         self.time_was_set();
+        self.note_change(seen);
     }
 
     pub(super) fn step(&mut self, count: i64) {
@@ -71,7 +66,7 @@ impl Session {
 
     pub(super) fn reverse(&mut self) {
         self.sim.clock.speed = -self.sim.clock.speed;
-        self.time_jumped = true;
+        self.jumps += 1;
         self.flips.jump();
     }
 
@@ -79,12 +74,17 @@ impl Session {
         let (low, high) = SPEED_POWERS;
         let speed = speed.clamp(f64::from(low).exp2(), f64::from(high).exp2());
         self.sim.clock.speed = speed.copysign(self.sim.clock.speed);
-        self.time_jumped = true;
+        self.jumps += 1;
     }
 
     pub(super) fn restart(&mut self) {
-        self.sim.restart();
         self.sim.clock.speed = self.sim.clock.speed.abs();
+        self.restart_time();
+    }
+
+    /// Back to the start; which way time runs, and whether, stays.
+    pub(super) fn restart_time(&mut self) {
+        self.sim.restart();
         self.forget_the_past();
     }
 
@@ -101,14 +101,9 @@ impl Session {
         self.time_was_set();
     }
 
-    /// To shortly before the next flip, so that it can be watched.
     pub(super) fn go_to_next_flip(&mut self) {
-        let speed = self.sim.clock.speed;
-        let lead = BEFORE_FLIP * speed.abs();
-        let lead = self.timeline.period.map_or(lead, |period| lead.min(0.25 * period)).copysign(speed);
-        // From within the lead of one flip the next one is meant.
-        match self.timeline.next_flip(self.sim.time() + 1.01 * lead, speed < 0.0) {
-            Some(flip) => self.go_to(flip - lead),
+        match self.timeline.next_flip(self.sim.time(), self.sim.clock.speed < 0.0) {
+            Some(flip) => self.go_to(flip),
             None => self.say("No flip comes any more."),
         }
     }

@@ -1,0 +1,316 @@
+//! Commands that change the scene, open another one, or keep it.
+
+use glam::DVec3;
+
+use super::slides::{Opened, Slide};
+use super::undo::{Kind, Moment};
+use super::{Effect, Session, command_line, keep_choices, start};
+use crate::objects::Cameras;
+use crate::physics::{Motion, so3};
+use crate::scene::{SceneFile, SpinFile};
+use crate::sim::Simulation;
+use crate::ui::{Pixels, path_in};
+
+/// Steps that a change of method or step may take to come back to the same time; past that it starts over.
+const MOST_CATCHING_UP: f64 = 2e5;
+
+impl Session {
+    /// Changes the scene's text, and says what is wrong with it where it then is no scene.
+    pub(super) fn edit(&mut self, change: impl FnOnce(&mut SceneFile)) {
+        let mut file = self.scene.file.clone();
+        change(&mut file);
+        if file != self.scene.file
+            && let Err(error) = self.set(&file)
+        {
+            self.say(error.to_string());
+        }
+    }
+
+    /// Sets the scene in motion: from its start, or from this time (s) where that is near enough. Paused or running, and how
+    /// fast, as before.
+    pub(super) fn begin(&mut self, time: Option<f64>) {
+        let clock = self.sim.clock;
+        self.sim = Simulation::new(&self.scene);
+        self.sim.clock = clock;
+        self.sim.clock.clear();
+        self.motion = Motion::new(&self.scene.body, &self.scene.start);
+        self.forget_the_past();
+        if let Some(time) = time.filter(|time| self.sim.steps_to(*time) <= MOST_CATCHING_UP) {
+            self.sim.go_to(time);
+            self.time_was_set();
+        }
+    }
+
+    /// Another start.
+    pub(super) fn set_spin(&mut self, spin: SpinFile) {
+        self.edit(|file| file.spin = spin);
+    }
+
+    /// A start with this momentum (principal axes, kg m²/s); the attitude stays.
+    fn start_with(&mut self, principal: DVec3) {
+        let body = &self.scene.body;
+        let omega = body.angular_velocity(body.body_from_principal() * principal);
+        let attitude = self.scene.file.spin.attitude;
+        let spin = SpinFile { omega: Some(omega.to_array()), attitude, ..SpinFile::default() };
+        let file = SceneFile { spin, ..self.scene.file.clone() };
+        match self.set(&file) {
+            Ok(()) => self.restart_time(),
+            Err(error) => self.say(error.to_string()),
+        }
+    }
+
+    fn principal_momentum(&self) -> DVec3 {
+        self.scene.body.body_from_principal().transpose() * self.scene.start.body_momentum
+    }
+
+    pub(super) fn set_energy(&mut self, energy: f64) {
+        match start::with_energy(&self.scene.body, self.principal_momentum(), energy) {
+            Some(momentum) => self.start_with(momentum),
+            None => self.say("The energy is given by the momentum alone: two moments are equal, or nothing turns."),
+        }
+    }
+
+    pub(super) fn go_to_separatrix(&mut self) {
+        match start::on_separatrix(&self.scene.body, self.principal_momentum()) {
+            Some(momentum) => self.start_with(momentum),
+            None => self.say("There is no separatrix: two moments are equal, or nothing turns."),
+        }
+    }
+
+    pub(super) fn poke(&mut self) {
+        let poked = start::poked(&self.scene.body, self.sim.state());
+        let attitude = so3::quaternion(poked.world_from_body);
+        let spin = SpinFile {
+            omega: Some(poked.body_angular_velocity(&self.scene.body).to_array()),
+            attitude: Some([attitude.w, attitude.x, attitude.y, attitude.z]),
+            ..SpinFile::default()
+        };
+        let file = SceneFile { spin, ..self.scene.file.clone() };
+        match self.set(&file) {
+            Ok(()) => {
+                self.restart_time();
+                self.say("Turned by 1° under its momentum: L is the same, and another motion begins here.");
+            }
+            Err(error) => self.say(error.to_string()),
+        }
+    }
+
+    /// Runs a method beside the scene's own, or no longer.
+    pub(super) fn compare(&mut self, method: &str, is_on: bool) {
+        // What is the body's own method is no ghost beside it: of the names only those that run are kept.
+        let mut compare: Vec<String> = self.scene.compare.iter().map(|other| other.name.to_owned()).collect();
+        compare.retain(|other| other != method);
+        if is_on {
+            compare.push(method.to_owned());
+        }
+        self.edit(|file| file.motion.compare = compare);
+    }
+
+    pub(super) fn pick(&mut self, at: Pixels) {
+        if let Some(point) = self.momentum_pane().and_then(|pane| pane.sphere_under(at)) {
+            self.start_at(point);
+        }
+    }
+
+    pub(super) fn drag_tip(&mut self, to: Pixels) {
+        if let Some(point) = self.momentum_pane().and_then(|pane| pane.sphere_nearest(to)) {
+            self.start_at(point);
+        }
+    }
+
+    /// A start with the body momentum at this point of the sphere.
+    fn start_at(&mut self, point: glam::Vec3) {
+        let length = so3::norm(self.scene.start.body_momentum);
+        if length > 0.0 {
+            self.start_with(point.as_dvec3().normalize() * length);
+        }
+    }
+
+    pub(super) fn take_back(&mut self) {
+        let now = self.moment();
+        match self.undo.back(now) {
+            Some(moment) => self.return_to(moment),
+            None => self.say("There is nothing to take back."),
+        }
+    }
+
+    pub(super) fn make_again(&mut self) {
+        let now = self.moment();
+        match self.undo.on(now) {
+            Some(moment) => self.return_to(moment),
+            None => self.say("There is nothing to make again."),
+        }
+    }
+
+    fn return_to(&mut self, moment: Moment) {
+        let is_other = moment.opened != self.opened;
+        if let Err(error) = self.set(&moment.file) {
+            return self.say(error.to_string());
+        }
+        self.opened = moment.opened;
+        if is_other {
+            self.cameras = Cameras::new(&self.scene.view);
+        }
+        if moment.time != self.sim.time() && self.sim.steps_to(moment.time) <= MOST_CATCHING_UP {
+            self.sim.go_to(moment.time);
+            self.time_was_set();
+        }
+    }
+
+    pub(super) fn open_slide(&mut self, place: usize) {
+        let Some(slide) = self.slides.get(place) else { return };
+        let file = match &slide.file {
+            Ok(file) => file.clone(),
+            Err(why) => return self.open_broken(place, why.clone()),
+        };
+        let opened = Opened { name: slide.name.clone(), title: slide.title(), file, place: Some(place) };
+        self.open(opened);
+    }
+
+    /// A slide that cannot be shown is gone to all the same: its words say why, and one goes on from there.
+    fn open_broken(&mut self, place: usize, why: String) {
+        let name = self.slides[place].name.clone();
+        let file = SceneFile { title: self.slides[place].title(), text: why, ..SceneFile::default() };
+        self.open(Opened { name, title: self.slides[place].title(), file, place: Some(place) });
+    }
+
+    /// Opens what was read at a place: a scene, or a folder of them to go through, followed by those built in.
+    pub fn open_slides(&mut self, place: &str, read: Result<Vec<Slide>, String>) {
+        let before = self.moment();
+        let seen = self.seen();
+        match read {
+            Err(why) => self.say(why),
+            Ok(slides) if slides.len() == 1 && slides[0].name == place => self.open_alone(slides[0].clone()),
+            Ok(mut slides) => {
+                let count = slides.len();
+                slides.extend(super::built_in());
+                self.set_slides(slides);
+                self.open_slide(0);
+                self.say(format!("{count} scenes of {place}"));
+            }
+        }
+        if self.scene.file != before.file {
+            self.undo.note(Kind::Whole, before, self.now);
+        }
+        self.note_change(seen);
+    }
+
+    /// Takes other scenes to go through; the open one stays open, in its new place where it is there.
+    pub fn set_slides(&mut self, slides: Vec<Slide>) {
+        self.titles = slides.iter().map(Slide::title).collect();
+        self.opened.place = slides.iter().position(|slide| slide.name == self.opened.name);
+        self.slides = slides;
+    }
+
+    /// A scene that is none of those gone through.
+    fn open_alone(&mut self, slide: Slide) {
+        let title = slide.title();
+        match slide.file {
+            Err(why) => self.say(format!("{}: {why}", slide.name)),
+            Ok(file) => {
+                let place = self.slides.iter().position(|other| other.name == slide.name);
+                let name = slide.name.clone();
+                if self.open(Opened { name: slide.name, title, file, place }) {
+                    let warning = self.scene.warnings().into_iter().next();
+                    self.say(warning.unwrap_or(name));
+                }
+            }
+        }
+    }
+
+    pub(super) fn open_text(&mut self, name: String, text: &str) {
+        let file = SceneFile::parse(text).map_err(|error| error.to_string());
+        self.open_alone(Slide { name, file });
+    }
+
+    /// The text of a scene, or a place where one is; anything else is not meant for this program.
+    pub(super) fn paste(&mut self, text: &str) -> Vec<Effect> {
+        if let Some(place) = path_in(text) {
+            return vec![Effect::Open(place)];
+        }
+        if text.lines().any(|line| line.trim_start().starts_with('[') || line.contains('=')) {
+            self.open_text("pasted".to_owned(), text);
+        }
+        vec![]
+    }
+
+    /// The scene as it was opened.
+    pub(super) fn reopen(&mut self) {
+        self.open(self.opened.clone());
+    }
+
+    /// Opens a scene, running at its own pace; false where it is none.
+    fn open(&mut self, opened: Opened) -> bool {
+        let mut file = opened.file.clone();
+        keep_choices(&mut file.view, &self.scene.file.view);
+        if let Err(error) = self.set(&file) {
+            self.say(format!("{}: {error}", opened.name));
+            return false;
+        }
+        self.say_nothing();
+        self.cameras = Cameras::new(&self.scene.view);
+        self.opened = opened;
+        self.saved = None;
+        self.sim.clock.speed = 1.0;
+        self.sim.clock.paused = false;
+        self.restart_time();
+        true
+    }
+
+    /// The scene's text with the cameras as they are.
+    fn file_as_seen(&self) -> SceneFile {
+        let mut file = self.scene.file.clone();
+        self.cameras.write(&self.scene.view, &mut file.view);
+        file
+    }
+
+    pub(super) fn save(&mut self) -> Vec<Effect> {
+        let place = match &self.saved {
+            Some((place, _)) => Some(place.clone()),
+            None => self.slide_is_file().then(|| self.opened.name.clone()),
+        };
+        match place {
+            // The file that it came from is offered first, and not written without a word.
+            Some(place) => {
+                self.shown.saving = Some(place);
+                vec![]
+            }
+            None => self.save_to(None),
+        }
+    }
+
+    fn slide_is_file(&self) -> bool {
+        Slide { name: self.opened.name.clone(), file: Err(String::new()) }.is_file()
+            && self.scene.file.title == self.opened.file.title
+    }
+
+    pub(super) fn save_to(&mut self, place: Option<String>) -> Vec<Effect> {
+        self.shown.saving = None;
+        let file = self.file_as_seen();
+        match file.to_toml() {
+            Ok(text) => vec![Effect::SaveText { place, title: file.title, text }],
+            Err(error) => {
+                self.say(error.to_string());
+                vec![]
+            }
+        }
+    }
+
+    /// The scene was written to a file: from here on a command can name it, whatever is in it.
+    pub fn saved(&mut self, place: &str) {
+        self.saved = Some((place.to_owned(), self.file_as_seen()));
+        self.say(format!("Saved as {place}"));
+    }
+
+    /// The command that draws this picture with no window, in a picture of this size.
+    pub(super) fn copy_command(&mut self) -> Vec<Effect> {
+        let (name, base) = match &self.saved {
+            Some((name, base)) => (name, base),
+            None => (&self.opened.name, &self.opened.file),
+        };
+        let size = self.picture_size.as_uvec2().to_array();
+        let line = command_line::shot(name, base, &self.file_as_seen(), self.sim.time(), size);
+        self.say(format!("Copied: {line}"));
+        vec![Effect::CopyText(line)]
+    }
+}

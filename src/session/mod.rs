@@ -1,0 +1,369 @@
+//! The state behind any front end: a scene's text, the motion that follows from it, how it is looked at, and what each
+//! [`Command`] does to them.
+//!
+//! The text of the scene is the one truth: every change is a change of that text, from which scene, simulation, exact motion
+//! and time line are derived again. What only a window or a page can do comes back as an [`Effect`]. No file, clock, window
+//! or thread is known here: the present moment comes in with each call.
+
+mod command_line;
+mod edit;
+mod effect;
+mod pick;
+mod remember;
+mod slides;
+mod spin;
+mod start;
+#[cfg(test)]
+mod tests;
+mod time;
+mod undo;
+mod view;
+
+use web_time::{Duration, Instant};
+
+use crate::frame::Frame;
+use crate::objects::{self, Cameras};
+use crate::physics::Motion;
+use crate::scene::{Scene, SceneError, SceneFile, Theme, ViewFile};
+use crate::sim::{FlipWatch, History, Simulation};
+use crate::ui::{Command, Look, Pixels, Preview, Shown, Timeline};
+
+pub use command_line::slug;
+pub use effect::Effect;
+pub use remember::Remembered;
+pub use slides::{Slide, built_in};
+
+use slides::Opened;
+use undo::{Kind, Moment, Undo};
+
+/// How long a message stays, and how much longer for each of its characters.
+const MESSAGE_TIME: Duration = Duration::from_secs(3);
+const READING_TIME: Duration = Duration::from_millis(60);
+
+/// The state behind a front end.
+#[derive(Debug)]
+pub struct Session {
+    /// Derived from its text by [`Session::set`] and changed nowhere else.
+    scene: Scene,
+    sim: Simulation,
+    /// The exact motion from the scene's start.
+    motion: Motion,
+    cameras: Cameras,
+    history: History,
+    flips: FlipWatch,
+    timeline: Timeline,
+    preview: Option<Preview>,
+    slides: Vec<Slide>,
+    titles: Vec<String>,
+    opened: Opened,
+    /// The file that the scene was last written to, and what was written.
+    saved: Option<(String, SceneFile)>,
+    undo: Undo,
+    shown: Shown,
+    message: Option<(String, Instant)>,
+    text_size: f32,
+    picture_size: Pixels,
+    now: Instant,
+    /// Scenes set so far.
+    scenes: u64,
+    revision: u64,
+    jumps: u64,
+}
+
+/// What the picture depends on: it is drawn again where this has changed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Seen {
+    scenes: u64,
+    time: f64,
+    cameras: Cameras,
+    size: Pixels,
+}
+
+impl Session {
+    /// A session with a checked scene open; the slides are the scenes to go through, those built in where there are none.
+    #[must_use]
+    pub fn new(scene: Scene, slides: Vec<Slide>, remembered: &Remembered, now: Instant) -> Self {
+        let slides = if slides.is_empty() { built_in() } else { slides };
+        let place = slides.iter().position(|slide| slide.file.as_ref().is_ok_and(|f| f.title == scene.file.title));
+        let opened = match place.and_then(|place| Some((place, slides.get(place)?))) {
+            Some((place, slide)) => Opened {
+                name: slide.name.clone(),
+                title: slide.title(),
+                file: slide.file.clone().unwrap_or_default(),
+                place: Some(place),
+            },
+            // Of a scene that is none of them only what differs from the first can be said.
+            None => Opened {
+                name: slides.first().map_or_else(|| "flip".to_owned(), |slide| slide.name.clone()),
+                title: scene.file.title.clone(),
+                file: slides.first().and_then(|slide| slide.file.clone().ok()).unwrap_or_default(),
+                place: None,
+            },
+        };
+        let mut session = Self {
+            sim: Simulation::new(&scene),
+            motion: Motion::new(&scene.body, &scene.start),
+            cameras: Cameras::new(&scene.view),
+            history: History::default(),
+            flips: FlipWatch::default(),
+            timeline: Timeline { low: 0.0, high: 10.0, first_flip: None, period: None },
+            preview: None,
+            titles: slides.iter().map(Slide::title).collect(),
+            slides,
+            opened,
+            saved: None,
+            undo: Undo::default(),
+            scene,
+            shown: Shown::remembered(remembered.panel, remembered.slide, remembered.charts),
+            message: None,
+            text_size: remembered.text_size,
+            picture_size: Pixels::ONE,
+            now,
+            scenes: 1,
+            revision: 1,
+            jumps: 0,
+        };
+        session.forget_the_past();
+        session
+    }
+
+    /// What the panels see.
+    #[must_use]
+    pub fn look(&self, real_time_factor: Option<f64>, fullscreen: bool) -> Look<'_> {
+        Look {
+            sim: &self.sim,
+            scene: &self.scene,
+            opened: &self.opened.file,
+            motion: &self.motion,
+            history: &self.history,
+            flips: &self.flips,
+            timeline: &self.timeline,
+            tip: self.tip(),
+            preview: self.preview.as_ref(),
+            titles: &self.titles,
+            name: &self.opened.title,
+            open: self.opened.place,
+            real_time_factor,
+            shown: &self.shown,
+            can_undo: self.undo.can(),
+            fullscreen,
+            message: self.message.as_ref().map(|(text, _)| text.as_str()),
+        }
+    }
+
+    /// The picture as it is now, in a picture of this aspect (width over height).
+    #[must_use]
+    pub fn frame(&self, aspect: f32) -> Frame {
+        objects::build_frame(&self.scene, &self.sim, &self.cameras, aspect)
+    }
+
+    /// Another number where the picture is another one.
+    #[must_use]
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// Another number where simulated time was set anew, so that its speed cannot be measured across.
+    #[must_use]
+    pub fn jumps(&self) -> u64 {
+        self.jumps
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The title of what is open.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        self.opened.title.trim()
+    }
+
+    /// Simulated time (s).
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.sim.time()
+    }
+
+    /// Whether simulated time runs.
+    #[must_use]
+    pub fn is_playing(&self) -> bool {
+        !self.sim.clock.paused
+    }
+
+    /// Dark or light.
+    #[must_use]
+    pub fn theme(&self) -> Theme {
+        self.scene.view.theme
+    }
+
+    /// Factor on the size of the panels' text.
+    #[must_use]
+    pub fn text_size(&self) -> f32 {
+        self.text_size
+    }
+
+    /// What is kept for the next time, but for what the front end itself keeps.
+    pub fn remember(&self, remembered: &mut Remembered) {
+        remembered.text_size = self.text_size;
+        remembered.panel = self.shown.panel;
+        remembered.slide = self.shown.slide;
+        remembered.charts = self.shown.charts;
+    }
+
+    /// Shows a sentence for a while.
+    pub fn say(&mut self, text: impl Into<String>) {
+        let text = text.into();
+        let time = MESSAGE_TIME + READING_TIME * text.chars().count() as u32;
+        self.message = Some((text, self.now + time));
+    }
+
+    /// Takes back what was said.
+    pub fn say_nothing(&mut self) {
+        self.message = None;
+    }
+
+    /// When the message goes.
+    #[must_use]
+    pub fn message_ends(&self) -> Option<Instant> {
+        self.message.as_ref().map(|(_, end)| *end)
+    }
+
+    /// Lets real time (s) pass until now.
+    pub fn advance(&mut self, real_seconds: f64, now: Instant) {
+        self.now = now;
+        if self.message_ends().is_some_and(|end| end <= now) {
+            self.message = None;
+        }
+        let seen = self.seen();
+        self.run(real_seconds);
+        self.note_change(seen);
+    }
+
+    /// Does what a command says; what is left for the front end is given back.
+    pub fn apply(&mut self, command: Command, now: Instant) -> Vec<Effect> {
+        self.now = now;
+        let seen = self.seen();
+        let before = self.moment();
+        let kind = Kind::of(&command);
+        let effects = self.obey(command);
+        if let Some(kind) = kind
+            && (self.scene.file != before.file || self.opened.place != before.opened.place)
+        {
+            self.undo.note(kind, before, now);
+        }
+        self.note_change(seen);
+        effects
+    }
+
+    fn obey(&mut self, command: Command) -> Vec<Effect> {
+        match command {
+            Command::PlayPause => self.sim.clock.paused = !self.sim.clock.paused,
+            Command::Step(count) => self.step(count),
+            Command::Reverse => self.reverse(),
+            Command::Faster => self.set_speed(self.sim.clock.speed.abs() * 2.0),
+            Command::Slower => self.set_speed(self.sim.clock.speed.abs() / 2.0),
+            Command::SetSpeed(speed) => self.set_speed(speed),
+            Command::Restart => self.restart(),
+            Command::GoTo(time) => self.go_to(time),
+            Command::NextFlip => self.go_to_next_flip(),
+            Command::SetBody(body) => self.edit(|file| file.body = *body),
+            Command::SpinAxis(axis) => self.set_spin(spin::about(&self.scene, axis)),
+            Command::SetTilt(tilt_deg) => self.set_spin(spin::tilted(&self.scene, tilt_deg)),
+            Command::SetRate(rate) => self.set_spin(spin::at_rate(&self.scene, rate)),
+            Command::SetEnergy(energy) => self.set_energy(energy),
+            Command::ToSeparatrix => self.go_to_separatrix(),
+            Command::Poke => self.poke(),
+            Command::SetMethod(method) => self.edit(|file| file.motion.method = Some(method.to_owned())),
+            Command::SetStep(step) => self.edit(|file| file.motion.step = Some(step)),
+            Command::Compare { method, is_on } => self.compare(method, is_on),
+            Command::Hover(at) => self.hover(at),
+            Command::Pick(at) => self.pick(at),
+            Command::DragTip(to) => self.drag_tip(to),
+            Command::Undo => self.take_back(),
+            Command::Redo => self.make_again(),
+            Command::Reopen => self.reopen(),
+            Command::NextScene => self.open_slide(self.opened.place.map_or(0, |place| place + 1)),
+            // From a scene that is none of them, back is the last.
+            Command::PreviousScene => {
+                self.open_slide(self.opened.place.unwrap_or(self.slides.len()).saturating_sub(1));
+            }
+            Command::OpenScene(place) => self.open_slide(place),
+            Command::OpenPlace(place) => return vec![Effect::Open(place)],
+            Command::OpenText { name, text } => self.open_text(name, &text),
+            Command::Paste(text) => return self.paste(&text),
+            Command::Resize(size) => self.picture_size = size.max(Pixels::ONE),
+            Command::Orbit { at, by } => self.move_camera(at, |camera, side| camera.orbit(by / side)),
+            Command::Pan { at, by } => self.move_camera(at, |camera, side| camera.pan(by / side)),
+            // A notch of the wheel is ten per cent.
+            Command::Zoom { at, by } => self.move_camera(at, |camera, _| camera.zoom(by.ln() * 10.0)),
+            Command::Home => self.cameras = Cameras::new(&self.scene.view),
+            Command::SetLayout(layout) => self.edit_view(|view| view.layout = Some(layout)),
+            Command::NextLayout => self.next_layout(),
+            Command::Show { name, is_shown } => self.show_object(name, is_shown),
+            Command::ToggleTheme => {
+                let theme = if self.theme() == Theme::Dark { Theme::Light } else { Theme::Dark };
+                self.edit_view(|view| view.theme = Some(theme));
+            }
+            Command::ToggleLabels => {
+                let labels = !self.scene.view.labels;
+                self.edit_view(|view| view.labels = Some(labels));
+            }
+            Command::TextSize(factor) => {
+                self.text_size = if factor > 0.0 { (self.text_size * factor).clamp(0.5, 3.0) } else { 1.0 };
+            }
+            Command::TogglePanel => self.shown.panel = !self.shown.panel,
+            Command::ToggleSlide => self.shown.slide = !self.shown.slide,
+            Command::ToggleCharts => self.shown.charts = !self.shown.charts,
+            Command::ToggleHelp => self.shown.help = !self.shown.help,
+            Command::ToggleFullscreen => return vec![Effect::ToggleFullscreen],
+            Command::Picture { transparent } => return vec![Effect::WritePicture { transparent }],
+            Command::CopyCommand => return self.copy_command(),
+            Command::SaveScene => return self.save(),
+            Command::SaveTo(place) => return self.save_to(place),
+            Command::SaveNothing => self.shown.saving = None,
+            Command::FocusPanel => {
+                self.shown.panel = true;
+                return vec![Effect::FocusPanel];
+            }
+        }
+        vec![]
+    }
+
+    /// Takes a text as the scene and derives everything from it; what is no scene is refused in a sentence, and nothing changes.
+    /// A motion that stays the same goes on from where it is.
+    fn set(&mut self, file: &SceneFile) -> Result<(), SceneError> {
+        let scene = objects::check(file)?;
+        let before = std::mem::replace(&mut self.scene, scene);
+        self.scenes += 1;
+        let (now, then) = (&self.scene.file, &before.file);
+        let is_same_motion = now.body == then.body && now.spin == then.spin;
+        if !(is_same_motion && now.motion == then.motion) {
+            self.begin(is_same_motion.then(|| self.sim.time()));
+        }
+        self.preview = None;
+        Ok(())
+    }
+
+    fn moment(&self) -> Moment {
+        Moment { file: self.scene.file.clone(), opened: self.opened.clone(), time: self.sim.time() }
+    }
+
+    fn seen(&self) -> Seen {
+        Seen { scenes: self.scenes, time: self.sim.time(), cameras: self.cameras, size: self.picture_size }
+    }
+
+    fn note_change(&mut self, before: Seen) {
+        if self.seen() != before {
+            self.revision += 1;
+        }
+    }
+}
+
+/// What a presenter has chosen stays from scene to scene, unless the scene itself sets it.
+fn keep_choices(view: &mut ViewFile, before: &ViewFile) {
+    view.theme = view.theme.or(before.theme);
+    view.labels = view.labels.or(before.labels);
+}

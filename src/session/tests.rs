@@ -1,0 +1,467 @@
+//! A whole session driven with no window: every command at least once.
+
+use web_time::{Duration, Instant};
+
+use super::{Effect, Remembered, Session, Slide, built_in};
+use crate::objects;
+use crate::physics::{METHODS, MotionClass, poinsot, so3};
+use crate::scene::{BodyFile, Layout, Scene, SceneError, SceneFile, Theme, preset};
+use crate::ui::{Command, Pixels};
+
+/// A session with its own clock: each command comes a second after the one before.
+struct Driven {
+    session: Session,
+    now: Instant,
+}
+
+impl Driven {
+    fn new(name: &str) -> Result<Self, SceneError> {
+        let now = Instant::now();
+        let scene = objects::check(&preset(name)?.read()?)?;
+        let mut session = Session::new(scene, vec![], &Remembered::default(), now);
+        session.apply(Command::Resize(Pixels::new(960.0, 480.0)), now);
+        Ok(Self { session, now })
+    }
+
+    fn apply(&mut self, command: Command) -> Vec<Effect> {
+        self.now += Duration::from_secs(1);
+        self.session.apply(command, self.now)
+    }
+
+    fn run(&mut self, seconds: f64) {
+        for _ in 0..(seconds * 60.0) as u32 {
+            self.now += Duration::from_micros(16_667);
+            self.session.advance(1.0 / 60.0, self.now);
+        }
+    }
+
+    fn file(&self) -> &SceneFile {
+        &self.session.scene.file
+    }
+
+    fn message(&self) -> &str {
+        self.session.message.as_ref().map_or("", |(text, _)| text)
+    }
+
+    /// Whether a command makes the picture another one.
+    fn redraws(&mut self, command: Command) -> bool {
+        let before = self.session.revision();
+        self.apply(command);
+        self.session.revision() != before
+    }
+}
+
+#[test]
+fn time_runs_stands_steps_and_goes_anywhere() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.run(0.5);
+    // Whole steps of a millisecond: the last one may still be under way.
+    assert!((driven.session.time() - 0.5).abs() < 0.0011);
+    driven.apply(Command::PlayPause);
+    assert!(!driven.session.is_playing());
+    let stood = driven.session.time();
+    driven.run(0.5);
+    assert_eq!(driven.session.time(), stood);
+    driven.apply(Command::Step(3));
+    assert!((driven.session.time() - stood - 0.003).abs() < 1e-12);
+    driven.apply(Command::GoTo(7.25));
+    assert_eq!(driven.session.time(), 7.25);
+    let jumps = driven.session.jumps();
+    driven.apply(Command::Reverse);
+    assert_ne!(driven.session.jumps(), jumps);
+    driven.apply(Command::PlayPause);
+    driven.run(1.0);
+    assert!((driven.session.time() - 6.25).abs() < 0.0011);
+    driven.apply(Command::Faster);
+    driven.apply(Command::Faster);
+    driven.apply(Command::Slower);
+    assert_eq!(driven.session.sim.clock.speed, -2.0);
+    driven.apply(Command::SetSpeed(1e9));
+    assert_eq!(driven.session.sim.clock.speed, -8.0);
+    driven.apply(Command::Restart);
+    assert_eq!((driven.session.time(), driven.session.sim.clock.speed), (0.0, 8.0));
+    driven.session.show_time(12.0);
+    assert_eq!((driven.session.time(), driven.session.is_playing()), (12.0, false));
+    Ok(())
+}
+
+#[test]
+fn a_time_too_many_steps_away_is_refused_in_words() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::SetMethod("buss"));
+    driven.apply(Command::GoTo(1e9));
+    assert!(driven.session.time() < 1.0 && driven.message().contains("closed form"), "{}", driven.message());
+    driven.apply(Command::SetMethod("closed-form"));
+    driven.apply(Command::GoTo(1e9));
+    assert_eq!(driven.session.time(), 1e9);
+    Ok(())
+}
+
+#[test]
+fn the_next_flip_is_gone_to_and_the_one_after_it() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    let start = driven.session.scene.start;
+    let first = poinsot::next_flip(&driven.session.scene.body, start.body_momentum).unwrap_or_default();
+    let period = poinsot::flip_period(&driven.session.scene.body, start.body_momentum).unwrap_or_default();
+    for flip in 0..3 {
+        driven.apply(Command::NextFlip);
+        let wanted = first + f64::from(flip) * period;
+        assert!((driven.session.time() - wanted).abs() < 1e-9, "flip {flip}: {}", driven.session.time());
+    }
+    driven.apply(Command::SetTilt(0.0));
+    driven.apply(Command::NextFlip);
+    assert!(driven.message().contains("No flip"), "{}", driven.message());
+    Ok(())
+}
+
+#[test]
+fn two_changes_in_one_frame_both_hold() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    let body = BodyFile { edges: Some([0.3, 0.2, 0.1]), ..BodyFile::default() };
+    driven.session.apply(Command::SetBody(Box::new(body.clone())), driven.now);
+    driven.session.apply(Command::SetMethod("buss"), driven.now);
+    driven.session.apply(Command::SetRate(3.0), driven.now);
+    driven.session.apply(Command::SetTilt(2.0), driven.now);
+    let file = driven.file();
+    assert_eq!((&file.body, file.motion.method.as_deref()), (&body, Some("buss")));
+    assert_eq!((file.spin.rate, file.spin.tilt_deg, file.spin.axis), (Some(3.0), Some(2.0), Some(2)));
+    Ok(())
+}
+
+#[test]
+fn a_slider_changes_one_thing_in_scenes_of_every_kind() -> Result<(), SceneError> {
+    for name in ["t-handle", "racket", "symmetric-top", "toutatis", "phone"] {
+        let mut driven = Driven::new(name)?;
+        let before = driven.session.scene.clone();
+        let axes = before.body.body_from_principal().transpose();
+        let omega = |scene: &Scene| axes * scene.start.body_angular_velocity(&scene.body);
+        driven.apply(Command::SetRate(2.5));
+        let after = &driven.session.scene;
+        assert_eq!(
+            (&after.file.body, &after.file.motion, &after.file.view),
+            (&before.file.body, &before.file.motion, &before.file.view)
+        );
+        // The direction is that of before to rounding.
+        let turned = omega(&before).normalize().cross(omega(after).normalize()).length();
+        assert!(turned < 4.0 * f64::EPSILON && (omega(after).length() - 2.5).abs() < 1e-15 * 4.0, "{name}: {turned}");
+
+        driven.apply(Command::SetTilt(12.0));
+        let tilted = &driven.session.scene;
+        assert!((omega(tilted).length() - 2.5).abs() < 1e-14, "{name}");
+        assert_eq!(tilted.file.body, before.file.body);
+        let spin = crate::ui::Spin::of(tilted);
+        assert!(
+            (spin.tilt_deg - 12.0).abs() < 1e-12 && spin.axis == crate::ui::Spin::of(&before).axis,
+            "{name}: {spin:?}"
+        );
+
+        driven.apply(Command::SetStep(0.002));
+        assert_eq!(driven.file().motion.step, Some(0.002));
+        assert_eq!(driven.file().body, before.file.body);
+    }
+    Ok(())
+}
+
+#[test]
+fn spin_energy_separatrix_and_poke_begin_other_motions_of_the_same_momentum() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::SpinAxis(3));
+    assert_eq!(driven.file().spin.axis, Some(3));
+    driven.apply(Command::SetTilt(20.0));
+    let length = so3::norm(driven.session.scene.start.body_momentum);
+    let body = driven.session.scene.body;
+    let energy = 0.5 * (length * length) / body.principal_moments().y;
+    driven.apply(Command::SetEnergy(energy * 1.1));
+    let start = driven.session.scene.start;
+    assert!((start.energy(&body) / energy / 1.1 - 1.0).abs() < 1e-13);
+    assert!((so3::norm(start.body_momentum) / length - 1.0).abs() < 1e-14);
+    driven.apply(Command::ToSeparatrix);
+    let momentum = driven.session.scene.start.body_momentum;
+    assert_eq!(poinsot::classify(&body, momentum), MotionClass::Separatrix);
+    driven.run(0.7);
+    let world = driven.session.sim.state().world_momentum;
+    driven.apply(Command::Poke);
+    assert_eq!(driven.session.time(), 0.0);
+    assert!(driven.message().contains("L is the same"), "{}", driven.message());
+    assert!((driven.session.scene.start.world_momentum - world).length() < 1e-14 * length);
+    Ok(())
+}
+
+#[test]
+fn the_pointer_picks_starts_on_the_sphere() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::PlayPause);
+    let (middle, outside) = (Pixels::new(720.0, 240.0), Pixels::new(500.0, 20.0));
+    driven.apply(Command::Hover(Some(middle)));
+    assert!(driven.session.look(None, false).preview.is_some_and(|preview| !preview.path.is_empty()));
+    driven.apply(Command::Hover(Some(outside)));
+    assert!(driven.session.preview.is_none());
+    let before = driven.file().spin.clone();
+    driven.apply(Command::Pick(outside));
+    assert_eq!(driven.file().spin, before);
+    driven.apply(Command::Pick(middle));
+    assert!(driven.file().spin.omega.is_some() && driven.message().is_empty());
+    // The tip is now where the click was, to a pixel.
+    let tip = driven.session.tip().unwrap_or_default();
+    assert!(tip.distance(middle) < 1.0, "{tip}");
+    driven.apply(Command::DragTip(outside));
+    let dragged = driven.session.tip().unwrap_or_default();
+    assert!(dragged.distance(middle) > 50.0, "{dragged}");
+    driven.apply(Command::Undo);
+    driven.apply(Command::Undo);
+    assert_eq!(driven.file().spin, before);
+    Ok(())
+}
+
+#[test]
+fn every_change_can_be_taken_back_and_made_again() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::Undo);
+    assert!(driven.message().contains("nothing to take back"));
+    let mut states = vec![(driven.session.title().to_owned(), driven.file().clone())];
+    for command in [
+        Command::SpinAxis(1),
+        Command::SetMethod("rk4"),
+        Command::Compare { method: "buss", is_on: true },
+        Command::ToggleTheme,
+        Command::Show { name: "herpolhode", is_shown: true },
+        Command::SetLayout(Layout::World),
+        Command::NextScene,
+        Command::SetRate(1.0),
+        Command::Reopen,
+        Command::OpenScene(4),
+        Command::Paste("title = \"mine\"\n[spin]\nrate = 3.0".to_owned()),
+    ] {
+        driven.apply(command.clone());
+        let now = (driven.session.title().to_owned(), driven.file().clone());
+        assert_ne!(states.last(), Some(&now), "{command:?} changed nothing");
+        states.push(now);
+    }
+    for state in states.iter().rev().skip(1) {
+        driven.apply(Command::Undo);
+        assert_eq!((driven.session.title(), driven.file()), (state.0.as_str(), &state.1));
+    }
+    for state in states.iter().skip(1) {
+        driven.apply(Command::Redo);
+        assert_eq!((driven.session.title(), driven.file()), (state.0.as_str(), &state.1));
+    }
+    driven.apply(Command::Redo);
+    assert!(driven.message().contains("nothing to make again"));
+    Ok(())
+}
+
+#[test]
+fn a_drag_of_a_slider_is_one_change() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    let before = driven.file().clone();
+    for tilt in 1..50 {
+        driven.now += Duration::from_millis(30);
+        driven.session.apply(Command::SetTilt(f64::from(tilt)), driven.now);
+    }
+    driven.apply(Command::Undo);
+    assert_eq!(*driven.file(), before);
+    assert!(!driven.session.look(None, false).can_undo.0);
+    Ok(())
+}
+
+#[test]
+fn scenes_are_gone_through_to_the_ends() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    let count = built_in().len();
+    driven.apply(Command::PreviousScene);
+    assert_eq!(driven.session.opened.place, Some(0));
+    let mut titles = vec![driven.session.title().to_owned()];
+    for _ in 0..count + 2 {
+        driven.apply(Command::NextScene);
+        titles.push(driven.session.title().to_owned());
+    }
+    assert_eq!(driven.session.opened.place, Some(count - 1));
+    titles.dedup();
+    assert_eq!(titles.len(), count);
+    assert!(driven.session.is_playing());
+    Ok(())
+}
+
+#[test]
+fn a_folder_is_opened_with_what_is_broken_in_it() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    let good = Slide {
+        name: "talk/a.toml".to_owned(),
+        file: Ok(SceneFile { title: "One".to_owned(), ..SceneFile::default() }),
+    };
+    let bad = Slide { name: "talk/b.toml".to_owned(), file: Err("line 3: no number".to_owned()) };
+    assert_eq!(driven.apply(Command::OpenPlace("talk".to_owned())), [Effect::Open("talk".to_owned())]);
+    driven.session.open_slides("talk", Ok(vec![good.clone(), bad]));
+    assert_eq!((driven.session.title(), driven.message()), ("One", "2 scenes of talk"));
+    driven.apply(Command::NextScene);
+    assert_eq!((driven.session.title(), driven.file().text.as_str()), ("b", "line 3: no number"));
+    // Those built in follow.
+    driven.apply(Command::NextScene);
+    assert_eq!(driven.session.opened.name, built_in()[0].name);
+    driven.session.open_slides("nowhere", Err("nowhere: there is nothing".to_owned()));
+    assert_eq!(driven.message(), "nowhere: there is nothing");
+    driven.session.open_slides("talk/a.toml", Ok(vec![good]));
+    assert_eq!((driven.session.title(), driven.session.opened.place), ("One", Some(0)));
+    Ok(())
+}
+
+#[test]
+fn what_is_no_scene_changes_nothing_and_is_said() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    let before = driven.file().clone();
+    let text = "[body]\nbox = [1.0, 2.0, -3.0]".to_owned();
+    driven.apply(Command::OpenText { name: "odd.toml".to_owned(), text });
+    assert_eq!(*driven.file(), before);
+    assert!(driven.message().contains("odd.toml") && driven.message().contains("-3"), "{}", driven.message());
+    driven.apply(Command::SetStep(-1.0));
+    assert_eq!(*driven.file(), before);
+    assert!(driven.message().contains("step"), "{}", driven.message());
+    assert_eq!(driven.apply(Command::Paste("/tmp/x.toml".to_owned())), [Effect::Open("/tmp/x.toml".to_owned())]);
+    assert_eq!(driven.apply(Command::Paste("hello".to_owned())), []);
+    Ok(())
+}
+
+#[test]
+fn a_scene_is_kept_and_comes_back_as_it_was_opened() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::SetRate(2.0));
+    driven.apply(Command::Orbit { at: Pixels::new(100.0, 100.0), by: Pixels::new(40.0, 10.0) });
+    let effects = driven.apply(Command::SaveScene);
+    let [Effect::SaveText { place: None, title, text }] = effects.as_slice() else {
+        return Err(SceneError::Text { line: 0, message: format!("{effects:?}") });
+    };
+    assert_eq!(title, "The flip");
+    let written = SceneFile::parse(text)?;
+    assert_eq!(written.spin.rate, Some(2.0));
+    assert!(written.view.world_camera.is_some());
+    driven.session.saved("the-flip-1.toml");
+    let copied = driven.apply(Command::CopyCommand);
+    assert!(matches!(&copied[..], [Effect::CopyText(line)] if line.contains("the-flip-1.toml")), "{copied:?}");
+    // The file that it is in by now is offered, and nothing is written before an answer.
+    assert_eq!(driven.apply(Command::SaveScene), []);
+    assert_eq!(driven.session.shown.saving.as_deref(), Some("the-flip-1.toml"));
+    assert_eq!(driven.apply(Command::SaveNothing), []);
+    assert_eq!(driven.session.shown.saving, None);
+    let there = Some("the-flip-1.toml".to_owned());
+    assert!(
+        matches!(&driven.apply(Command::SaveTo(there.clone()))[..], [Effect::SaveText { place, .. }] if *place == there)
+    );
+    driven.apply(Command::Reopen);
+    assert_eq!(driven.file().spin, preset("flip")?.read()?.spin);
+    Ok(())
+}
+
+#[test]
+fn the_command_that_is_copied_draws_what_is_shown() -> Result<(), SceneError> {
+    let mut driven = Driven::new("methods")?;
+    driven.apply(Command::PlayPause);
+    driven.apply(Command::GoTo(1.25));
+    for method in ["forward-euler", "backward-euler", "rk4", "lie-euler"] {
+        driven.apply(Command::Compare { method, is_on: false });
+    }
+    driven.apply(Command::Poke);
+    let effects = driven.apply(Command::CopyCommand);
+    let [Effect::CopyText(line)] = effects.as_slice() else {
+        return Err(SceneError::Text { line: 0, message: format!("{effects:?}") });
+    };
+    for words in ["dzhanibekov shot methods ", "--time 0 ", "--size 960x480", "-o adding-matrices"] {
+        assert!(line.contains(words), "{line} lacks {words}");
+    }
+    assert!(driven.message().contains(line));
+    Ok(())
+}
+
+#[test]
+fn only_what_changes_the_picture_redraws_it() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::PlayPause);
+    let at = Pixels::new(100.0, 100.0);
+    for command in [
+        Command::Orbit { at, by: Pixels::new(9.0, 3.0) },
+        Command::Pan { at, by: Pixels::new(9.0, 3.0) },
+        Command::Zoom { at, by: 1.2 },
+        Command::Home,
+        Command::SetLayout(Layout::Body),
+        Command::NextLayout,
+        Command::NextLayout,
+        Command::ToggleTheme,
+        Command::ToggleLabels,
+        Command::Show { name: "body", is_shown: false },
+        Command::Step(1),
+        Command::SetTilt(3.0),
+        Command::Resize(Pixels::new(500.0, 400.0)),
+    ] {
+        assert!(driven.redraws(command.clone()), "{command:?}");
+    }
+    for command in [
+        Command::TogglePanel,
+        Command::ToggleSlide,
+        Command::ToggleCharts,
+        Command::ToggleHelp,
+        Command::TextSize(1.2),
+        Command::Hover(Some(at)),
+        Command::PlayPause,
+        Command::SetSpeed(2.0),
+        Command::Home,
+        Command::Picture { transparent: true },
+    ] {
+        assert!(!driven.redraws(command.clone()), "{command:?}");
+    }
+    assert_eq!(driven.apply(Command::Picture { transparent: true }), [Effect::WritePicture { transparent: true }]);
+    assert_eq!(driven.apply(Command::ToggleFullscreen), [Effect::ToggleFullscreen]);
+    assert_eq!(driven.apply(Command::FocusPanel), [Effect::FocusPanel]);
+    assert!(driven.session.shown.panel, "the panel is shown where the keyboard goes into it");
+    let frame = driven.session.frame(1.25);
+    assert_eq!(frame.views.len(), 1);
+    Ok(())
+}
+
+#[test]
+fn a_presenters_choices_stay_from_scene_to_scene() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::ToggleTheme);
+    driven.apply(Command::ToggleLabels);
+    driven.apply(Command::TextSize(1.1));
+    driven.apply(Command::NextScene);
+    assert_eq!(driven.session.theme(), Theme::Light);
+    assert!(!driven.session.scene.view.labels);
+    driven.apply(Command::ToggleCharts);
+    let mut remembered = Remembered::default();
+    driven.session.remember(&mut remembered);
+    assert!(remembered.charts && remembered.panel && remembered.slide);
+    assert_eq!(Remembered::read(&remembered.text()), remembered);
+    assert_eq!(Remembered::read("size = [1.0, 1.0]"), Remembered::default());
+    driven.apply(Command::TextSize(0.0));
+    assert_eq!(driven.session.text_size(), 1.0);
+    Ok(())
+}
+
+#[test]
+fn methods_beside_each_other_come_and_go() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    for method in METHODS {
+        driven.apply(Command::Compare { method: method.name, is_on: true });
+    }
+    // The scene's own method is no ghost beside itself.
+    assert_eq!(driven.session.sim.ghosts().len(), METHODS.len() - 1);
+    driven.run(0.2);
+    let time = driven.session.time();
+    driven.apply(Command::Compare { method: "rk4", is_on: false });
+    assert_eq!(driven.session.sim.ghosts().len(), METHODS.len() - 2);
+    // The motion goes on from where it was.
+    assert_eq!(driven.session.time(), time);
+    Ok(())
+}
+
+#[test]
+fn messages_go_by_themselves() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.session.say("A word.");
+    let ends = driven.session.message_ends().unwrap_or(driven.now);
+    driven.session.advance(0.0, ends);
+    assert!(driven.session.message_ends().is_none());
+    driven.session.say("Another.");
+    driven.session.say_nothing();
+    assert!(driven.message().is_empty());
+    Ok(())
+}

@@ -1,0 +1,74 @@
+//! Commands about how the scene is looked at.
+
+use super::Session;
+use super::pick::Pane;
+use crate::camera::Camera;
+use crate::frame::Area;
+use crate::objects::{self, Space, areas};
+use crate::scene::{Layout, ViewFile};
+use crate::ui::Pixels;
+
+impl Session {
+    /// Changes how the scene is looked at.
+    pub(super) fn edit_view(&mut self, change: impl FnOnce(&mut ViewFile)) {
+        self.edit(|file| change(&mut file.view));
+    }
+
+    pub(super) fn next_layout(&mut self) {
+        let layout = match self.scene.view.layout {
+            Layout::Both => Layout::World,
+            Layout::World => Layout::Body,
+            Layout::Body => Layout::Both,
+        };
+        self.edit_view(|view| view.layout = Some(layout));
+    }
+
+    pub(super) fn show_object(&mut self, name: &'static str, is_shown: bool) {
+        let by_default = objects::object_named(name).is_some_and(|object| object.shown);
+        self.edit_view(|view| {
+            view.show.retain(|shown| shown != name);
+            view.hide.retain(|hidden| hidden != name);
+            if is_shown != by_default {
+                if is_shown { &mut view.show } else { &mut view.hide }.push(name.to_owned());
+            }
+        });
+    }
+
+    /// Moves the camera of the view under a point; it is also told that view's smaller side (pixels).
+    pub(super) fn move_camera(&mut self, at: Pixels, change: impl FnOnce(&mut Camera, f32) -> bool) {
+        let size = self.picture_size;
+        let views = self.areas();
+        let found = views.iter().find(|(_, area)| area.contains(at / size)).or(views.first());
+        if let Some((space, area)) = found {
+            let side = (area.extent * size).min_element().max(1.0);
+            if change(self.cameras.of_mut(*space), side) {
+                self.preview = None;
+            }
+        }
+    }
+
+    pub(super) fn hover(&mut self, at: Option<Pixels>) {
+        self.preview = at.and_then(|at| {
+            let pane = self.momentum_pane()?;
+            Some(pane.preview(&self.scene.body, pane.sphere_under(at)?))
+        });
+    }
+
+    /// The view of momentum space, where it is shown.
+    pub(super) fn momentum_pane(&self) -> Option<Pane> {
+        let (_, area) = self.areas().into_iter().find(|(space, _)| *space == Space::Body)?;
+        let camera = objects::camera(&self.scene, &self.sim, &self.cameras, Space::Body);
+        Some(Pane::new(&area, self.picture_size, camera))
+    }
+
+    /// Where the tip of M is in the picture, where it is on the near side of the sphere.
+    pub(super) fn tip(&self) -> Option<Pixels> {
+        let is_drawn = objects::object_named("tip").is_some_and(|tip| objects::is_shown(tip, &self.scene.view));
+        let axes = self.scene.body.body_from_principal();
+        self.momentum_pane().filter(|_| is_drawn)?.near_side(axes.transpose() * self.sim.state().body_momentum)
+    }
+
+    fn areas(&self) -> Vec<(Space, Area)> {
+        areas(self.scene.view.layout, self.picture_size.x / self.picture_size.y)
+    }
+}
