@@ -43,7 +43,8 @@ const CLASSES: &str = "\
 #[must_use]
 pub fn style() -> String {
     let methods = |hue: fn(&Method) -> u32| -> String {
-        METHODS.iter().map(|method| format!(";--{}:#{:06x}", method.name, hue(method))).collect()
+        let colours = METHODS.iter().map(|method| format!(";--{}:#{:06x}", method.name, hue(method)));
+        colours.collect::<Vec<_>>().concat()
     };
     let (on_light, on_dark) = (methods(|method| method.hue.on_light), methods(|method| method.hue.on_dark));
     format!(
