@@ -5,9 +5,13 @@
 
 mod backward_euler;
 mod buss;
+mod clamped_gyroscopic;
 mod closed_form;
 mod exact_step;
 mod forward_euler;
+mod free_momentum;
+mod implicit_gyroscopic;
+mod implicit_midpoint;
 mod integration;
 mod lie_euler;
 mod lie_group;
@@ -142,7 +146,7 @@ impl PartialEq for Method {
 
 impl Eq for Method {}
 
-/// The methods, in the order in which lists show them.
+/// The methods, in the order in which lists show them: those of the lectures and the exact ones, then what engines do, as contrast.
 pub static METHODS: &[Method] = &[
     forward_euler::METHOD,
     backward_euler::METHOD,
@@ -153,6 +157,9 @@ pub static METHODS: &[Method] = &[
     moser_veselov::METHOD,
     exact_step::METHOD,
     closed_form::METHOD,
+    implicit_midpoint::METHOD,
+    implicit_gyroscopic::METHOD,
+    clamped_gyroscopic::METHOD,
 ];
 
 /// The method a scene has that names none.
