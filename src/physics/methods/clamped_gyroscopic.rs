@@ -7,7 +7,7 @@ use super::{Dash, Hue, Keeps, Mark, Method, Order};
 
 pub(super) const METHOD: Method = Method {
     name: "clamped-gyroscopic",
-    label: "Clamped gyroscopic step (Jolt)",
+    label: "Clamped gyroscopic, as in Jolt and Avian",
     order: Order::Finite(1),
     explicit: true,
     symplectic: false,

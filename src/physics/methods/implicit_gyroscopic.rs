@@ -8,7 +8,7 @@ use crate::physics::so3;
 
 pub(super) const METHOD: Method = Method {
     name: "implicit-gyroscopic",
-    label: "Implicit gyroscopic step (Bullet)",
+    label: "Implicit gyroscopic, as in Bullet",
     order: Order::Finite(1),
     explicit: false,
     symplectic: false,

@@ -8,7 +8,7 @@ use crate::physics::so3;
 
 pub(super) const METHOD: Method = Method {
     name: "implicit-midpoint",
-    label: "Implicit midpoint (MuJoCo 3.10, Genesis)",
+    label: "Implicit midpoint, as in Genesis and MuJoCo 3.10",
     order: Order::Finite(2),
     explicit: false,
     symplectic: false,
