@@ -54,6 +54,10 @@ fn triangle(a: vec2f, up: f32, inner: f32) -> f32 {
     return max(a.x * 0.866 + up * 0.5, -up) - inner;
 }
 
+fn hourglass(along: f32, across: f32, half: f32) -> f32 {
+    return max(along - half, (across - 0.9 * along) * 0.743);
+}
+
 // Distance to the outline (pixels), negative inside. The forms are the marks of src/frame.rs, numbered by src/render/point.rs.
 fn outline(form: f32, p: vec2f, radius: f32) -> f32 {
     let a = abs(p);
@@ -73,6 +77,10 @@ fn outline(form: f32, p: vec2f, radius: f32) -> f32 {
         case OPEN_SQUARE: { return abs(square(a, 0.68 * radius)) - stroke; }
         case OPEN_DIAMOND: { return abs(diamond(a, 0.95 * radius)) - stroke; }
         case OPEN_TRIANGLE: { return abs(triangle(a, p.y, 0.45 * radius)) - stroke; }
+        case OPEN_TRIANGLE_DOWN: { return abs(triangle(a, -p.y, 0.45 * radius)) - stroke; }
+        case HOURGLASS: { return hourglass(a.y, a.x, 0.95 * radius); }
+        case BOW: { return hourglass(a.x, a.y, 0.95 * radius); }
+        case BARS: { return max(abs(a.x - 0.55 * radius) - 0.27 * radius, a.y - 0.9 * radius); }
         case STAR, default: {
             // Where the edges from a tip of one axis to the waist on the diagonal cut.
             let far = max(a.x, a.y);

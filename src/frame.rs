@@ -262,6 +262,14 @@ pub enum Mark {
     OpenTriangle,
     /// A star of four points.
     Star,
+    /// An empty triangle on its tip.
+    OpenTriangleDown,
+    /// Two triangles tip to tip, one above the other.
+    Hourglass,
+    /// Two triangles tip to tip, side by side.
+    Bow,
+    /// Two bars side by side.
+    Bars,
 }
 
 /// A mark of constant size on the screen.

@@ -2,59 +2,48 @@
 
 use super::{Context, body};
 use crate::frame::{Color, Dash, Line, Mark, Point, Solid, View};
-use crate::physics::{METHODS, Method, poinsot};
+use crate::physics::{Method, methods, poinsot};
 use crate::scene::Theme;
 
-/// Colours by the place of a method in the table: near Okabe–Ito's, then two more.
-const COLORS: [u32; 9] = [
-    0x00e5_6a0c,
-    0x00d6_86b4,
-    0x0000_b080,
-    0x0056_b4e9,
-    0x00e6_b400,
-    0x0030_80d0,
-    0x00b0_98e8,
-    0x00f0_e442,
-    0x00a8_a8a8,
-];
 /// Opacity of a ghost's faces, reached where it lies this far from the body.
 const OPACITY: f32 = 0.17;
 const APART: f32 = 0.2;
-/// Marks by the place of a method in the table: none is the disc of the scene's own M.
-const MARKS: [Mark; 9] = [
-    Mark::Square,
-    Mark::TriangleDown,
-    Mark::Diamond,
-    Mark::Ring,
-    Mark::Triangle,
-    Mark::OpenDiamond,
-    Mark::OpenSquare,
-    Mark::Star,
-    Mark::OpenTriangle,
-];
-
 /// How a method is drawn wherever it is a ghost.
 #[must_use]
 pub fn method_color(method: &Method, theme: Theme) -> Color {
-    let color = Color::hex(COLORS[place(method) % COLORS.len()]);
     match theme {
-        Theme::Dark => color,
-        Theme::Light => color.mix(Color([0.0, 0.0, 0.0, 1.0]), 0.25),
+        Theme::Dark => Color::hex(method.hue.on_dark),
+        Theme::Light => Color::hex(method.hue.on_light),
     }
-}
-
-fn place(method: &Method) -> usize {
-    METHODS.iter().position(|known| known.name == method.name).unwrap_or(0)
 }
 
 /// The pattern of its lines, lengths times this.
 pub(super) fn dash(method: &Method, scale: f32) -> Dash {
-    [Dash::Solid, Dash::Dashed(0.06 * scale), Dash::Dotted(0.035 * scale), Dash::Dashed(0.12 * scale)]
-        [place(method) % 4]
+    match method.dash {
+        methods::Dash::Solid => Dash::Solid,
+        methods::Dash::Short => Dash::Dashed(0.06 * scale),
+        methods::Dash::Long => Dash::Dashed(0.12 * scale),
+        methods::Dash::Dotted => Dash::Dotted(0.035 * scale),
+    }
 }
 
+/// The form of its marks.
 pub(super) fn mark(method: &Method) -> Mark {
-    MARKS[place(method) % MARKS.len()]
+    match method.mark {
+        methods::Mark::Ring => Mark::Ring,
+        methods::Mark::Diamond => Mark::Diamond,
+        methods::Mark::Square => Mark::Square,
+        methods::Mark::Triangle => Mark::Triangle,
+        methods::Mark::TriangleDown => Mark::TriangleDown,
+        methods::Mark::OpenSquare => Mark::OpenSquare,
+        methods::Mark::OpenDiamond => Mark::OpenDiamond,
+        methods::Mark::OpenTriangle => Mark::OpenTriangle,
+        methods::Mark::OpenTriangleDown => Mark::OpenTriangleDown,
+        methods::Mark::Star => Mark::Star,
+        methods::Mark::Hourglass => Mark::Hourglass,
+        methods::Mark::Bow => Mark::Bow,
+        methods::Mark::Bars => Mark::Bars,
+    }
 }
 
 /// Translucent bodies.

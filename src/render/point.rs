@@ -19,7 +19,7 @@ pub(super) struct MarkData {
 }
 
 /// The names of the marks in the shader, by their places in [`Mark`].
-const FORMS: [(Mark, &str); 11] = [
+const FORMS: [(Mark, &str); 15] = [
     (Mark::Disc, "DISC"),
     (Mark::Ring, "RING"),
     (Mark::Diamond, "DIAMOND"),
@@ -31,6 +31,10 @@ const FORMS: [(Mark, &str); 11] = [
     (Mark::OpenDiamond, "OPEN_DIAMOND"),
     (Mark::OpenTriangle, "OPEN_TRIANGLE"),
     (Mark::Star, "STAR"),
+    (Mark::OpenTriangleDown, "OPEN_TRIANGLE_DOWN"),
+    (Mark::Hourglass, "HOURGLASS"),
+    (Mark::Bow, "BOW"),
+    (Mark::Bars, "BARS"),
 ];
 
 /// The shader after the numbers of the marks, which it names.

@@ -4,9 +4,9 @@ use std::hint::black_box;
 
 use serde::Serialize;
 
+use super::Effort;
 use super::cases::Case;
 use super::timing::{Job, Timing, interleaved};
-use super::{CLOSED_FORM, Effort};
 use crate::physics::{METHODS, Motion};
 
 /// Angle a step (rad): small enough for every method.
@@ -45,7 +45,7 @@ pub fn measure(case: &Case, effort: &Effort) -> Cost {
     let step = ANGLE / case.rate;
     let mut jobs = vec![Job::repeat(chain)];
     for method in METHODS {
-        if method.name == CLOSED_FORM {
+        if method.is_direct {
             let mut time = 0.0;
             jobs.push(Job::repeat(move || {
                 // Another time on each turn, so that nothing is foreseen.
@@ -64,7 +64,7 @@ pub fn measure(case: &Case, effort: &Effort) -> Cost {
         .iter()
         .zip(timings[1..].chunks_exact(2))
         .map(|(method, timings)| {
-            let runs = if method.name == CLOSED_FORM { 1.0 } else { STEPS as f64 };
+            let runs = if method.is_direct { 1.0 } else { STEPS as f64 };
             let timing = timings[0].scaled(1.0 / runs);
             CostRow { method: method.name, timing, ratio: timing.seconds / floor.seconds, prepare: timings[1] }
         })

@@ -11,7 +11,7 @@ use glam::{DMat3, DVec3};
 use serde::Serialize;
 
 use super::cases::{Case, reference_cases};
-use super::{CLOSED_FORM, Effort, ReportError};
+use super::{Effort, ReportError};
 use crate::physics::methods::{Keeps, Order};
 use crate::physics::{Body, Integration, METHODS, Method, Motion, State, so3};
 
@@ -78,20 +78,20 @@ pub fn measure(effort: &Effort, mut done: impl FnMut(&str)) -> Result<Vec<HardRo
     for case in made_up(case) {
         done(&case.name);
         // The closed form is not held against itself.
-        let is_judge = |method: &Method| case.sample_times().next().is_none() && method.name == CLOSED_FORM;
+        let is_judge = |method: &Method| case.sample_times().next().is_none() && method.is_direct;
         let methods = METHODS.iter().filter(|method| !is_judge(method));
         rows.extend(methods.map(|method| at_time(&case, method, case.time, &case.name)));
     }
     done("far ahead");
     // No number of steps reaches that far.
-    for method in METHODS.iter().filter(|method| method.name == CLOSED_FORM) {
+    for method in METHODS.iter().filter(|method| method.is_direct) {
         rows.extend(case.sample_times().filter(|time| *time >= 1e9).map(|time| {
             let name = format!("{} at {time:.0e} s", case.name);
             at_time(case, method, time, &name)
         }));
     }
     done("there and back");
-    let stepping = METHODS.iter().filter(|method| method.name != CLOSED_FORM);
+    let stepping = METHODS.iter().filter(|method| !method.is_direct);
     rows.extend(stepping.map(|method| there_and_back(case, method)));
     done("large steps");
     rows.extend(METHODS.iter().filter_map(|method| large_steps(case, method)));
@@ -152,7 +152,7 @@ fn bound(rounding: f64, method: &Method, angle: f64, steps: u64) -> f64 {
 
 fn at_time(case: &Case, method: &'static Method, time: f64, name: &str) -> HardRow {
     // A power of two: the step is then exact. At rest one step is as good as many.
-    let wanted = if method.name == CLOSED_FORM { 1.0 } else { (case.rate * time / ANGLE).max(1.0) };
+    let wanted = if method.is_direct { 1.0 } else { (case.rate * time / ANGLE).max(1.0) };
     let steps = wanted.log2().ceil().exp2() as u64;
     let angle = case.rate * time / steps as f64;
     let outcome = case.run(method, time, steps);

@@ -2,7 +2,6 @@
 
 use serde::Serialize;
 
-use super::CLOSED_FORM;
 use super::cases::{Case, Errors};
 use super::fit::power;
 use crate::physics::{Integration, METHODS, Method};
@@ -109,7 +108,7 @@ fn samples(case: &Case, method: &'static Method, time: f64, step: f64) -> Vec<Lo
 /// compared at the times of the table alone: elsewhere it is itself the truth.
 fn times(case: &Case, method: &'static Method, time: f64, step: f64) -> Vec<f64> {
     let table = case.sample_times().filter(|at| *at >= 1.0);
-    if method.name == CLOSED_FORM {
+    if method.is_direct {
         return table.collect();
     }
     let count = (time.log10() * SAMPLES).ceil();

@@ -30,10 +30,13 @@ use peers::{Beside, Peer};
 use stability::Stability;
 use work_precision::Row;
 
+use crate::physics;
 use crate::scene::Scene;
 
-/// Name of the method that goes to any time at once: its cost is an evaluation, not a step.
-pub const CLOSED_FORM: &str = "closed-form";
+/// Whether the method of this name goes to any time at once: its cost is an evaluation, not a step.
+fn is_direct(name: &str) -> bool {
+    physics::method(name).is_some_and(|method| method.is_direct)
+}
 
 /// Case on which orders, costs and the long run are measured: generic, and every method gets along with it.
 const GENERIC: &str = "Hairer-Lubich-Wanner";
@@ -194,7 +197,7 @@ pub fn measure(
     let mut runs = 0.0;
     let long_run = long_run::measure(generic, effort.long_time, LONG_STEP, || {
         runs += 1.0;
-        let share = runs / crate::physics::METHODS.len() as f64;
+        let share = runs / physics::METHODS.len() as f64;
         progress("a hundred thousand turns", 0.67 + 0.23 * share);
     });
     let hard = hard::measure(effort, |name| progress(&format!("hard case: {name}"), 0.92))?;

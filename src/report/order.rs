@@ -2,7 +2,6 @@
 
 use serde::Serialize;
 
-use super::CLOSED_FORM;
 use super::cases::Case;
 use super::fit::power;
 use super::write::format::short;
@@ -84,7 +83,7 @@ pub fn measure(case: &Case) -> Vec<OrderRow> {
                 samples,
             };
             match method.order {
-                Order::Exact => exact(&mut row, case.rate),
+                Order::Exact => exact(&mut row, case.rate, method.is_direct),
                 Order::Finite(order) => finite(&mut row, case.rate, order),
             }
             row
@@ -98,20 +97,20 @@ fn samples(case: &Case, method: &'static Method) -> Vec<OrderSample> {
         let attitude_error = case.errors(time, &state).attitude_error;
         attitude_error.is_finite().then_some(OrderSample { step: time / steps as f64, steps, attitude_error })
     };
-    if method.name == CLOSED_FORM {
+    if method.is_direct {
         // Against the table: elsewhere it is itself the truth.
         return case.sample_times().filter_map(|time| sample(time, 1)).collect();
     }
     (0..=DOUBLINGS).filter_map(|doubling| sample(TIME, FEWEST_STEPS << doubling)).collect()
 }
 
-fn exact(row: &mut OrderRow, rate: f64) {
+fn exact(row: &mut OrderRow, rate: f64, is_direct: bool) {
     let rounding = |sample: &OrderSample| EXACT_WITHIN * f64::EPSILON * (rate * TIME + (sample.steps as f64).sqrt());
     row.agrees = !row.samples.is_empty() && row.samples.iter().all(|sample| sample.attitude_error <= rounding(sample));
     let largest = short(row.largest_error);
     row.words = if row.agrees {
-        let place = match (row.method, row.samples.last()) {
-            (CLOSED_FORM, Some(last)) => format!("any time of the table, up to {:e} s", last.step),
+        let place = match row.samples.last() {
+            Some(last) if is_direct => format!("any time of the table, up to {:e} s", last.step),
             _ => "any step".to_owned(),
         };
         format!("no error of method: at most {largest} rad at {place}")

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::work_precision::Row;
-use super::{CLOSED_FORM, ReportError};
+use super::{ReportError, is_direct};
 
 /// One point of another program.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -85,7 +85,7 @@ pub fn beside(peers: &[Peer], rows: &[Row]) -> Vec<Beside> {
             }
             let fastest = |is_closed: bool| {
                 same.iter()
-                    .filter(|row| (row.method == CLOSED_FORM) == is_closed && row.errors.attitude_error <= peer.error)
+                    .filter(|row| is_direct(row.method) == is_closed && row.errors.attitude_error <= peer.error)
                     .min_by(|a, b| a.timing.seconds.total_cmp(&b.timing.seconds))
                     .map(|row| Faster {
                         method: row.method,

@@ -3,10 +3,10 @@
 use serde::Serialize;
 use web_time::Instant;
 
+use super::Effort;
 use super::cases::{Case, Errors, Reference};
 use super::fit::median;
 use super::timing::{Job, Timing, interleaved};
-use super::{CLOSED_FORM, Effort};
 use crate::physics::methods::Order;
 use crate::physics::{METHODS, Method, Motion};
 
@@ -68,7 +68,7 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
     let mut jobs = Vec::new();
     for point in &points {
         let step = case.time / point.steps as f64;
-        if point.method.name == CLOSED_FORM {
+        if point.method.is_direct {
             jobs.push(Job::repeat(|| case.motion.state(std::hint::black_box(case.time))));
             jobs.push(Job::repeat(|| Motion::new(std::hint::black_box(&case.body), &case.start)));
         } else {
@@ -84,7 +84,7 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
             let (timing, preparation) = (timings[0], timings[1]);
             let a_step = timing.seconds / point.steps as f64;
             // The preparation of a stepping method was timed with a first step, which is not part of it.
-            let first_step = if point.method.name == CLOSED_FORM { 0.0 } else { a_step };
+            let first_step = if point.method.is_direct { 0.0 } else { a_step };
             Row {
                 case: case.name.clone(),
                 method: point.method.name,
@@ -113,7 +113,7 @@ fn points(case: &Case, method: &'static Method, effort: &Effort) -> Vec<Point> {
         let errors = case.errors(case.time, &case.run(method, case.time, steps).ok()?);
         errors.attitude_error.is_finite().then_some(Point { method, steps, errors })
     };
-    if method.name == CLOSED_FORM {
+    if method.is_direct {
         return point(1).into_iter().collect();
     }
     let angle = case.rate * case.time;

@@ -5,8 +5,6 @@ use crate::scene::Scene;
 
 use super::{Clock, Tick};
 
-/// The method that goes to any time at once, without the steps between.
-const DIRECT: &str = "closed-form";
 /// Steps that can be counted without rounding.
 const COUNTABLE: f64 = 9e15;
 
@@ -64,7 +62,7 @@ impl Runner {
 
     /// A method that needed no steps to a time counts them all the same: from there it goes on.
     fn follow(&mut self, time: f64) {
-        if self.method().name == DIRECT {
+        if self.method().is_direct {
             let target = (time / self.integration.step()).trunc().clamp(-COUNTABLE, COUNTABLE) as i64;
             if let Err(error) = self.integration.advance(target - self.integration.steps()) {
                 self.failure = Some(error);
@@ -74,7 +72,7 @@ impl Runner {
 
     /// Steps that going to a time takes.
     fn steps_to(&self, time: f64) -> f64 {
-        if self.method().name == DIRECT {
+        if self.method().is_direct {
             return 0.0;
         }
         let (target, now) = ((time / self.integration.step()).abs(), self.integration.steps() as f64);

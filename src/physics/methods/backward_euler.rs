@@ -3,7 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use super::linear::{Entries, Linear, Rule};
-use super::{Keeps, Method, Order};
+use super::{Dash, Hue, Keeps, Mark, Method, Order};
 use crate::physics::so3;
 
 pub(super) const METHOD: Method = Method {
@@ -15,8 +15,12 @@ pub(super) const METHOD: Method = Method {
     keeps_momentum: Keeps::No,
     keeps_rotation: Keeps::No,
     keeps_energy: Keeps::No,
+    is_direct: false,
     cost: "some three 3×3 inverses",
     source: "Hairer & Wanner, Solving Ordinary Differential Equations II, IV.3",
+    hue: Hue { on_dark: 0x00d6_86b4, on_light: 0x00a0_6487 },
+    dash: Dash::Short,
+    mark: Mark::TriangleDown,
     start: Linear::<BackwardEuler>::start,
 };
 

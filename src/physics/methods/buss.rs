@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use super::lie_group::{LieGroup, MeanVelocity, turn_by};
-use super::{Keeps, Method, Order};
+use super::{Dash, Hue, Keeps, Mark, Method, Order};
 
 pub(super) const METHOD: Method = Method {
     name: "buss",
@@ -14,8 +14,12 @@ pub(super) const METHOD: Method = Method {
     keeps_momentum: Keeps::Exactly,
     keeps_rotation: Keeps::Exactly,
     keeps_energy: Keeps::No,
+    is_direct: false,
     cost: "one sin/cos, three cross products",
     source: "Buss, J. Comput. Phys. 164 (2000) 377, augmented second order",
+    hue: Hue { on_dark: 0x00e6_b400, on_light: 0x00ac_8700 },
+    dash: Dash::Solid,
+    mark: Mark::Triangle,
     start: LieGroup::<Buss>::start,
 };
 

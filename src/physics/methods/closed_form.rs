@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::{Failure, Keeps, Method, Order, Problem, Stepper};
+use super::{Dash, Failure, Hue, Keeps, Mark, Method, Order, Problem, Stepper};
 use crate::physics::exact::Path;
 use crate::physics::orbit::Orbit;
 
@@ -15,8 +15,12 @@ pub(super) const METHOD: Method = Method {
     keeps_momentum: Keeps::Exactly,
     keeps_rotation: Keeps::Exactly,
     keeps_energy: Keeps::Exactly,
+    is_direct: true,
     cost: "two sin/cos and two dozen series terms, whatever the time",
     source: "Jacobi, J. reine angew. Math. 39 (1849) 293; van Zon & Schofield, J. Comput. Phys. 225 (2007) 145",
+    hue: Hue { on_dark: 0x00a8_a8a8, on_light: 0x007e_7e7e },
+    dash: Dash::Solid,
+    mark: Mark::OpenTriangle,
     start: |problem| Box::new(ClosedForm::new(problem)),
 };
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::{DMat3, DQuat, DVec3};
 
-use super::{Failure, Keeps, Method, Order, Problem, Stepper};
+use super::{Dash, Failure, Hue, Keeps, Mark, Method, Order, Problem, Stepper};
 use crate::physics::exact::Path;
 use crate::physics::orbit::{Kind, Orbit};
 
@@ -17,8 +17,12 @@ pub(super) const METHOD: Method = Method {
     keeps_momentum: Keeps::Exactly,
     keeps_rotation: Keeps::Exactly,
     keeps_energy: Keeps::Exactly,
+    is_direct: false,
     cost: "one square root, one or two divisions, no trigonometric function",
     source: "Moser & Veselov, Comm. Math. Phys. 139 (1991) 217, calibrated on the closed form",
+    hue: Hue { on_dark: 0x00f0_e442, on_light: 0x008f_8a00 },
+    dash: Dash::Long,
+    mark: Mark::Star,
     start: |problem| Box::new(ExactStep::new(problem)),
 };
 

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::linear::{Entries, Linear, Rule};
-use super::{Keeps, Method, Order};
+use super::{Dash, Hue, Keeps, Mark, Method, Order};
 
 pub(super) const METHOD: Method = Method {
     name: "forward-euler",
@@ -14,8 +14,12 @@ pub(super) const METHOD: Method = Method {
     keeps_momentum: Keeps::No,
     keeps_rotation: Keeps::No,
     keeps_energy: Keeps::No,
+    is_direct: false,
     cost: "one matrix product",
     source: "Euler, Institutionum calculi integralis (1768), §650",
+    hue: Hue { on_dark: 0x00e5_6a0c, on_light: 0x00ac_5009 },
+    dash: Dash::Solid,
+    mark: Mark::Square,
     start: Linear::<ForwardEuler>::start,
 };
 

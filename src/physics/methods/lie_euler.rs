@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use super::lie_group::{LieGroup, MeanVelocity, turn_by};
-use super::{Keeps, Method, Order};
+use super::{Dash, Hue, Keeps, Mark, Method, Order};
 
 pub(super) const METHOD: Method = Method {
     name: "lie-euler",
@@ -14,8 +14,12 @@ pub(super) const METHOD: Method = Method {
     keeps_momentum: Keeps::Exactly,
     keeps_rotation: Keeps::Exactly,
     keeps_energy: Keeps::No,
+    is_direct: false,
     cost: "one sin/cos",
     source: "lecture notes; Buss, J. Comput. Phys. 164 (2000) 377, first order",
+    hue: Hue { on_dark: 0x0056_b4e9, on_light: 0x0040_87af },
+    dash: Dash::Long,
+    mark: Mark::Ring,
     start: LieGroup::<LieEuler>::start,
 };
 

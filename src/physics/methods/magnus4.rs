@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use super::lie_group::{LieGroup, MeanVelocity, turn_by};
-use super::{Keeps, Method, Order};
+use super::{Dash, Hue, Keeps, Mark, Method, Order};
 
 pub(super) const METHOD: Method = Method {
     name: "magnus4",
@@ -14,8 +14,12 @@ pub(super) const METHOD: Method = Method {
     keeps_momentum: Keeps::Exactly,
     keeps_rotation: Keeps::Exactly,
     keeps_energy: Keeps::No,
+    is_direct: false,
     cost: "one sin/cos, a dozen cross products",
     source: "Buss, J. Comput. Phys. 164 (2000) 377, augmented fourth order; Magnus, Comm. Pure Appl. Math. 7 (1954) 649",
+    hue: Hue { on_dark: 0x0030_80d0, on_light: 0x0024_609c },
+    dash: Dash::Short,
+    mark: Mark::OpenDiamond,
     start: LieGroup::<Magnus4>::start,
 };
 

@@ -1,13 +1,17 @@
 //! Every method that advances the body, in one table.
 //!
 //! A method is one file in this folder and one row of [`METHODS`]; the window's list, the command line's names, the
-//! report, the colours and the tests all read that table.
+//! report, every figure's colours and marks, and the tests all read that table.
 
 mod backward_euler;
 mod buss;
+mod clamped_gyroscopic;
 mod closed_form;
 mod exact_step;
 mod forward_euler;
+mod free_momentum;
+mod implicit_gyroscopic;
+mod implicit_midpoint;
 mod integration;
 mod lie_euler;
 mod lie_group;
@@ -15,10 +19,12 @@ mod linear;
 mod magnus4;
 mod moser_veselov;
 mod rk4;
+mod sign;
 
 use glam::{DMat3, DVec3};
 
 pub use integration::{Integration, MethodError};
+pub use sign::{Dash, Hue, Mark};
 
 /// Order of accuracy: the attitude error at a fixed time falls as `step^order`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -107,10 +113,18 @@ pub struct Method {
     pub keeps_rotation: Keeps,
     /// Whether the energy is kept.
     pub keeps_energy: Keeps,
+    /// Whether it goes to any time at once, with no steps between.
+    pub is_direct: bool,
     /// What a step costs, in words.
     pub cost: &'static str,
     /// Where the method is published.
     pub source: &'static str,
+    /// Its colour in every figure: no other method's.
+    pub hue: Hue,
+    /// The pattern of its lines.
+    pub dash: Dash,
+    /// Its mark. No other method has this mark and this pattern both, so that figures can be read without colours.
+    pub mark: Mark,
     /// Starts a solver.
     pub start: fn(&Problem) -> Box<dyn Stepper>,
 }
@@ -123,7 +137,16 @@ impl Method {
     }
 }
 
-/// The methods, in the order in which lists show them.
+/// A method is its row in the table, and rows differ by name.
+impl PartialEq for Method {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Method {}
+
+/// The methods, in the order in which lists show them: those of the lectures and the exact ones, then what engines do, as contrast.
 pub static METHODS: &[Method] = &[
     forward_euler::METHOD,
     backward_euler::METHOD,
@@ -134,6 +157,9 @@ pub static METHODS: &[Method] = &[
     moser_veselov::METHOD,
     exact_step::METHOD,
     closed_form::METHOD,
+    implicit_midpoint::METHOD,
+    implicit_gyroscopic::METHOD,
+    clamped_gyroscopic::METHOD,
 ];
 
 /// The method a scene has that names none.

@@ -3,7 +3,7 @@
 use glam::{DMat3, DQuat, DVec3};
 
 use super::lie_group::{LieGroup, MeanVelocity};
-use super::{Keeps, Method, Order};
+use super::{Dash, Hue, Keeps, Mark, Method, Order};
 use crate::physics::so3;
 
 pub(super) const METHOD: Method = Method {
@@ -15,8 +15,12 @@ pub(super) const METHOD: Method = Method {
     keeps_momentum: Keeps::Exactly,
     keeps_rotation: Keeps::Exactly,
     keeps_energy: Keeps::Exactly,
+    is_direct: false,
     cost: "some three 3×3 inverses",
     source: "Moser & Veselov, Comm. Math. Phys. 139 (1991) 217; McLachlan & Zanna, Found. Comput. Math. 5 (2005) 87",
+    hue: Hue { on_dark: 0x00b0_98e8, on_light: 0x0084_72ae },
+    dash: Dash::Dotted,
+    mark: Mark::OpenSquare,
     start: LieGroup::<MoserVeselov>::start,
 };
 

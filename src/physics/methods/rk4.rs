@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::linear::{Entries, Linear, Rule};
-use super::{Keeps, Method, Order};
+use super::{Dash, Hue, Keeps, Mark, Method, Order};
 
 pub(super) const METHOD: Method = Method {
     name: "rk4",
@@ -14,8 +14,12 @@ pub(super) const METHOD: Method = Method {
     keeps_momentum: Keeps::No,
     keeps_rotation: Keeps::No,
     keeps_energy: Keeps::No,
+    is_direct: false,
     cost: "four matrix products",
     source: "Kutta, Z. Math. Phys. 46 (1901) 435",
+    hue: Hue { on_dark: 0x0000_b080, on_light: 0x0000_8460 },
+    dash: Dash::Dotted,
+    mark: Mark::Diamond,
     start: Linear::<RungeKutta>::start,
 };
 

@@ -3,9 +3,8 @@
 use std::fmt::Write as _;
 
 use super::format::{escape, time};
-use super::svg::{SIZE, STYLE};
-use crate::physics::METHODS;
-use crate::report::{CLOSED_FORM, Report};
+use super::svg::{Look, SIZE, style};
+use crate::report::{Report, is_direct};
 
 const WIDTH: f64 = SIZE.0;
 const LEFT: f64 = 150.0;
@@ -25,7 +24,7 @@ pub struct Bars {
 #[derive(Clone, Debug)]
 struct Bar {
     label: String,
-    colour: usize,
+    look: Look,
     seconds: f64,
     spread: (f64, f64),
     remark: String,
@@ -35,10 +34,10 @@ struct Bar {
 #[must_use]
 pub fn cost(report: &Report) -> Bars {
     let rows = report.cost.methods.iter().map(|row| {
-        let evaluation = if row.method == CLOSED_FORM { ", any time" } else { "" };
+        let evaluation = if is_direct(row.method) { ", any time" } else { "" };
         Bar {
             label: row.method.to_owned(),
-            colour: METHODS.iter().position(|method| method.name == row.method).unwrap_or(0),
+            look: Look::of_method(row.method),
             seconds: row.timing.seconds,
             spread: (row.timing.seconds_lower, row.timing.seconds_upper),
             remark: format!("{}{evaluation}", time(row.timing.seconds)),
@@ -58,11 +57,12 @@ impl Bars {
         let (height, body) = (self.height(), self.body());
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" height=\"{height}\">\n\
-             <style>{STYLE}</style>\n<rect width=\"100%\" height=\"100%\" style=\"fill:var(--paper)\"/>\n{body}</svg>\n"
+             <style>{}</style>\n<rect width=\"100%\" height=\"100%\" style=\"fill:var(--paper)\"/>\n{body}</svg>\n",
+            style()
         )
     }
 
-    /// The bars inside a page that has [`STYLE`].
+    /// The bars inside a page that has [`style()`].
     #[must_use]
     pub fn inline(&self) -> String {
         format!(
@@ -89,13 +89,13 @@ impl Bars {
             let _ = writeln!(
                 svg,
                 "<text text-anchor=\"end\" x=\"{:.1}\" y=\"{:.1}\">{}</text>\n\
-                 <path style=\"fill:var(--c{});opacity:.8\" d=\"M{LEFT},{y:.1}H{:.1}v{BAR}H{LEFT}z\"/>\n\
+                 <path style=\"fill:{};opacity:.8\" d=\"M{LEFT},{y:.1}H{:.1}v{BAR}H{LEFT}z\"/>\n\
                  <path class=\"frame\" style=\"stroke:var(--ink)\" d=\"M{low:.1},{middle:.1}H{high:.1}M{low:.1},{:.1}v8M{high:.1},{:.1}v8\"/>\n\
                  <text class=\"name\" x=\"{:.1}\" y=\"{:.1}\">{}</text>",
                 LEFT - 10.0,
                 middle + 4.0,
                 escape(&row.label),
-                row.colour,
+                row.look.colour(),
                 x(row.seconds),
                 middle - 4.0,
                 middle - 4.0,

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::format::{escape, short, time};
-use super::svg::STYLE;
+use super::svg::style;
 use super::{bars, plots, sections, summary};
 use crate::report::{CaseRow, Report};
 
@@ -43,7 +43,8 @@ pub fn write(report: &Report) -> String {
     let mut page = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>Speed against error: the free rigid body</title>\n<style>\n{STYLE}{PAGE_STYLE}</style>\n</head>\n<body>\n"
+         <title>Speed against error: the free rigid body</title>\n<style>\n{}{PAGE_STYLE}</style>\n</head>\n<body>\n",
+        style()
     );
     // Writing to a string cannot fail, here and below.
     let kind = if report.quick { " This is the quick report: two cases, and less of everything." } else { "" };

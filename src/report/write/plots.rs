@@ -5,7 +5,7 @@ use super::svg::{Axis, Guide, Look, Plot, SIZE, SMALL, Scale, Series};
 use crate::physics::METHODS;
 use crate::report::cases::Errors;
 use crate::report::long_run::{INVARIANT_LOST, LOST};
-use crate::report::{CaseRow, Report};
+use crate::report::{CaseRow, Report, is_direct};
 
 /// Smallest error drawn: anything below lies on the axis.
 const SMALLEST_ERROR: f64 = 1e-16;
@@ -64,9 +64,8 @@ pub fn slug(name: &str) -> String {
     words.split_whitespace().collect::<Vec<_>>().join("-")
 }
 
-fn method_series(report: &Report, name: &str, points: Vec<(f64, f64)>) -> Series {
-    let index = METHODS.iter().position(|method| method.name == name).unwrap_or(report.rows.len());
-    Series::new(name, Look::Method(index), points)
+fn method_series(name: &str, points: Vec<(f64, f64)>) -> Series {
+    Series::new(name, Look::of_method(name), points)
 }
 
 fn errors_axis(label: &str, series: &[Series]) -> Axis {
@@ -92,7 +91,7 @@ pub fn work_precision(report: &Report, case: &CaseRow) -> Plot {
             let rows = || report.rows.iter().filter(|row| row.case == case.name && row.method == method.name);
             let points = rows().map(|row| (row.timing.seconds, row.errors.attitude_error)).collect();
             let spread = rows().map(|row| (row.timing.seconds_lower, row.timing.seconds_upper)).collect();
-            Series { spread, ..method_series(report, method.name, points) }
+            Series { spread, ..method_series(method.name, points) }
         })
         .collect();
     let mut names: Vec<&str> = Vec::new();
@@ -136,14 +135,10 @@ pub fn work_precision(report: &Report, case: &CaseRow) -> Plot {
 pub fn step_error(report: &Report, case: &CaseRow) -> Plot {
     let series: Vec<Series> = METHODS
         .iter()
-        .filter(|method| method.name != crate::report::CLOSED_FORM)
+        .filter(|method| !method.is_direct)
         .map(|method| {
             let rows = report.rows.iter().filter(|row| row.case == case.name && row.method == method.name);
-            method_series(
-                report,
-                method.name,
-                rows.map(|row| (case.rate * row.step, row.errors.attitude_error)).collect(),
-            )
+            method_series(method.name, rows.map(|row| (case.rate * row.step, row.errors.attitude_error)).collect())
         })
         .collect();
     steps(format!("{}: error after {} s against the step", case.name, case.t), series)
@@ -156,12 +151,12 @@ pub fn order(report: &Report) -> Plot {
     let series: Vec<Series> = report
         .orders
         .iter()
-        .filter(|row| row.method != crate::report::CLOSED_FORM)
+        .filter(|row| !is_direct(row.method))
         .map(|row| {
             let points =
                 row.samples.iter().map(|sample| (rate(&row.case) * sample.step, sample.attitude_error)).collect();
             let slope = row.measured.map(|slope| format!("{}: {slope:.2}", row.method));
-            let series = method_series(report, row.method, points);
+            let series = method_series(row.method, points);
             Series { label: slope.unwrap_or(series.label), ..series }
         })
         .collect();
@@ -200,7 +195,7 @@ pub fn long_run(report: &Report) -> Vec<(&'static str, Plot)> {
                     let points =
                         samples.take_while(|point| !std::mem::replace(&mut is_lost, point.1 >= lost)).collect();
                     let has_markers = run.samples.len() < FEW_SAMPLES;
-                    Series { has_markers, ..method_series(report, run.method, points) }
+                    Series { has_markers, ..method_series(run.method, points) }
                 })
                 .collect();
             let values = series.iter().flat_map(|series| series.points.iter().map(|point| point.0));
@@ -228,7 +223,7 @@ pub fn large_steps(report: &Report) -> Plot {
     let series: Vec<Series> = report
         .stability
         .iter()
-        .filter(|row| row.method != crate::report::CLOSED_FORM)
+        .filter(|row| !is_direct(row.method))
         .map(|row| {
             let points: Vec<(f64, f64)> = row
                 .samples
@@ -238,7 +233,7 @@ pub fn large_steps(report: &Report) -> Plot {
                 .collect();
             let ring = points.iter().find(|point| Some(point.0) == row.largest_right_step);
             let rings = ring.into_iter().copied().collect();
-            Series { rings, has_markers: false, ..method_series(report, row.method, points) }
+            Series { rings, has_markers: false, ..method_series(row.method, points) }
         })
         .collect();
     let x = Axis {
@@ -252,8 +247,7 @@ pub fn large_steps(report: &Report) -> Plot {
 /// The distribution of the error's ratio to plain second order.
 #[must_use]
 pub fn augmented(report: &Report) -> Plot {
-    // The looks of three methods that are well told apart; the names say what they are.
-    let looks = [Look::Method(8), Look::Method(4), Look::Method(7)];
+    let looks = ["ink", "bad", "good"].map(Look::Page);
     let horizon = report.augmented.horizons.get(1);
     let series: Vec<Series> = horizon
         .into_iter()

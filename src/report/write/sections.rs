@@ -2,10 +2,10 @@
 
 use super::format::{escape, short, time, times};
 use super::html::table;
-use crate::physics::METHODS;
 use crate::physics::methods::Keeps;
+use crate::physics::{self, METHODS};
 use crate::report::long_run::Growth;
-use crate::report::{CLOSED_FORM, Report};
+use crate::report::{Report, is_direct};
 
 pub(super) const SUMMARY: &str = "<p class=\"soft\">Order as claimed and as measured; time of a step and its ratio to the floor, a lone sine \
 and cosine; the smallest attitude error reached on the first case (rad); the largest step |Ω|h up to which a tumbling T-handle flips at the right \
@@ -66,15 +66,15 @@ pub(super) fn costs(report: &Report) -> String {
         .cost
         .methods
         .iter()
-        .zip(METHODS)
-        .map(|(row, method)| {
+        .map(|row| {
+            let step = physics::method(row.method).map_or("", |method| method.cost);
             vec![
                 ("", row.method.to_owned()),
                 ("", time(row.timing.seconds)),
                 ("", format!("{} … {}", time(row.timing.seconds_lower), time(row.timing.seconds_upper))),
                 ("", format!("{:.1}", row.ratio)),
                 ("", time(row.prepare.seconds)),
-                ("words", escape(method.cost)),
+                ("words", escape(step)),
             ]
         })
         .collect();
@@ -143,7 +143,7 @@ pub(super) fn large_steps(report: &Report) -> String {
     let rows: Vec<_> = report
         .stability
         .iter()
-        .filter(|row| row.method != CLOSED_FORM)
+        .filter(|row| !is_direct(row.method))
         .map(|row| {
             let largest =
                 row.largest_right_step.map_or_else(|| "none tried".to_owned(), |angle| format!("{angle:.3} rad"));

@@ -3,8 +3,8 @@
 use super::format::{short, time, times};
 use crate::physics::METHODS;
 use crate::physics::methods::Order;
+use crate::report::Report;
 use crate::report::peers::Beside;
-use crate::report::{CLOSED_FORM, Report};
 
 /// Number of columns.
 pub const COLUMNS: usize = 8;
@@ -81,7 +81,7 @@ pub fn of(report: &Report) -> Vec<Summary> {
                 step: cost.map_or_else(String::new, |cost| time(cost.timing.seconds)),
                 ratio: cost.map_or_else(String::new, |cost| format!("{:.1}", cost.ratio)),
                 best: if best.is_finite() { short(best) } else { "–".to_owned() },
-                flips: if name == CLOSED_FORM {
+                flips: if method.is_direct {
                     "any step".to_owned()
                 } else {
                     stability

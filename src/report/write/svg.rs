@@ -1,12 +1,14 @@
 //! Plots as SVG: axes with decades, curves told apart by colour, dash and marker, labels beside the curves.
 //!
-//! Colours are CSS custom properties ([`STYLE`]), so that one and the same plot is right on a light page, a dark one and on
+//! Colours are CSS custom properties ([`style()`]), so that one and the same plot is right on a light page, a dark one and on
 //! paper, alone or inside the HTML page.
 
 use std::fmt::Write as _;
 
 use super::format::{escape, power_of_ten, short};
 use super::labels::{Label, place};
+use crate::physics::methods::{Dash, Mark};
+use crate::physics::{self, METHODS, Method};
 
 /// Width and height of a plot (user units, pixels at its natural size).
 pub const SIZE: (f64, f64) = (860.0, 520.0);
@@ -21,15 +23,13 @@ const OBSTACLE_EVERY: f64 = 5.0;
 /// Most labels on an axis.
 const MOST_TICKS: i32 = 9;
 
-/// Colours of everything, by theme: Okabe and Ito's palette, darkened or lightened where the background asks for it. `--c0`… are
-/// the methods in the order of their table.
-pub const STYLE: &str = "\
-:root{--paper:#fff;--ink:#1b1d21;--soft:#5b6169;--rule:#c9ced6;--faint:#e7eaee;--good:#00795a;--bad:#b33a00;\
---c0:#7a7a7a;--c1:#a28f00;--c2:#2b8fcb;--c3:#d08a00;--c4:#d55e00;--c5:#b8588f;--c6:#0064a8;--c7:#009e73;--c8:#1b1d21;--p:#5b6169}
-@media (prefers-color-scheme:dark){:root{--paper:#15171b;--ink:#e8eaed;--soft:#a3aab4;--rule:#454b55;--faint:#2a2e35;--good:#3fd2a4;--bad:#ff9a5c;\
---c0:#9b9b9b;--c1:#f0e442;--c2:#56b4e9;--c3:#e69f00;--c4:#ff7a33;--c5:#e08fbd;--c6:#8aa4ff;--c7:#23cf9c;--c8:#ffffff;--p:#a3aab4}}
-@media print{:root{--paper:#fff;--ink:#000;--soft:#444;--rule:#bbb;--faint:#e4e4e4;--good:#005c44;--bad:#8c2d00;\
---c0:#7a7a7a;--c1:#a28f00;--c2:#2b8fcb;--c3:#d08a00;--c4:#d55e00;--c5:#b8588f;--c6:#0064a8;--c7:#009e73;--c8:#000;--p:#444}}
+/// Colours of the page by theme, and on paper.
+const ON_LIGHT: &str =
+    "--paper:#fff;--ink:#1b1d21;--soft:#5b6169;--rule:#c9ced6;--faint:#e7eaee;--good:#00795a;--bad:#b33a00;--p:#5b6169";
+const ON_DARK: &str = "--paper:#15171b;--ink:#e8eaed;--soft:#a3aab4;--rule:#454b55;--faint:#2a2e35;--good:#3fd2a4;--bad:#ff9a5c;--p:#a3aab4";
+const ON_PAPER: &str =
+    "--paper:#fff;--ink:#000;--soft:#444;--rule:#bbb;--faint:#e4e4e4;--good:#005c44;--bad:#8c2d00;--p:#444";
+const CLASSES: &str = "\
 .plot{font:13px system-ui,\"Segoe UI\",\"Helvetica Neue\",sans-serif;font-variant-numeric:tabular-nums}
 .plot text{fill:var(--ink)}.plot .title{font-weight:600;font-size:14px}.plot .tick{fill:var(--soft);font-size:12px}
 .plot .grid{stroke:var(--faint);stroke-width:1;fill:none}.plot .frame{stroke:var(--rule);stroke-width:1;fill:none}
@@ -39,53 +39,88 @@ pub const STYLE: &str = "\
 .plot .ring{fill:none;stroke-width:1.6}
 ";
 
-/// How a series looks: which method of the table, or which other program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Look {
-    /// A method, by its place in the table.
-    Method(usize),
-    /// Another program, by its place in the list.
-    Peer(usize),
+/// The style sheet of every drawing: colours of the page, those of the methods from their table, and classes.
+#[must_use]
+pub fn style() -> String {
+    let methods = |hue: fn(&Method) -> u32| -> String {
+        let colours = METHODS.iter().map(|method| format!(";--{}:#{:06x}", method.name, hue(method)));
+        colours.collect::<Vec<_>>().concat()
+    };
+    let (on_light, on_dark) = (methods(|method| method.hue.on_light), methods(|method| method.hue.on_dark));
+    format!(
+        ":root{{{ON_LIGHT}{on_light}}}\n@media (prefers-color-scheme:dark){{:root{{{ON_DARK}{on_dark}}}}}\n\
+         @media print{{:root{{{ON_PAPER}{on_light}}}}}\n{CLASSES}"
+    )
 }
 
-/// Colours there are.
-const COLOURS: usize = 9;
-const DASHES: [&str; COLOURS] = ["", "7 3", "2 4", "10 4", "", "5 3", "10 3 2 3", "", ""];
+/// How a series looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// A method of the table, as its row says.
+    Method(&'static Method),
+    /// Another program, by its place in the list.
+    Peer(usize),
+    /// In this colour of the page, unbroken: what is neither.
+    Page(&'static str),
+}
 
 impl Look {
-    fn colour(self) -> String {
+    /// That of the method of a name.
+    #[must_use]
+    pub fn of_method(name: &str) -> Self {
+        physics::method(name).map_or(Self::Page("ink"), Self::Method)
+    }
+
+    pub(super) fn colour(self) -> String {
         match self {
-            Self::Method(index) => format!("var(--c{})", index % COLOURS),
+            Self::Method(method) => format!("var(--{})", method.name),
             Self::Peer(_) => "var(--p)".to_owned(),
+            Self::Page(name) => format!("var(--{name})"),
         }
     }
 
     fn dash(self) -> &'static str {
         match self {
-            Self::Method(index) => DASHES[index % COLOURS],
+            Self::Method(method) => match method.dash {
+                Dash::Solid => "",
+                Dash::Short => "6 4",
+                Dash::Long => "13 5",
+                Dash::Dotted => "1.5 4",
+            },
             Self::Peer(_) => "1 4",
+            Self::Page(_) => "",
         }
     }
 
     /// A marker: its path about the origin, and whether it is filled.
     fn marker(self) -> (&'static str, bool) {
+        const SQUARE: &str = "M-3.5,-3.5h7v7h-7z";
+        const DIAMOND: &str = "M0,-4.8L4.8,0L0,4.8L-4.8,0z";
+        const TRIANGLE: &str = "M0,-4.5L4.2,3.2H-4.2z";
+        const TRIANGLE_DOWN: &str = "M0,4.5L4.2,-3.2H-4.2z";
+        const CIRCLE: &str = "M-3.8,0a3.8,3.8 0 1,0 7.6,0a3.8,3.8 0 1,0 -7.6,0z";
         match self {
-            Self::Method(index) => match index % COLOURS {
-                0 => ("M-4,0a4,4 0 1,0 8,0a4,4 0 1,0 -8,0z", false),
-                1 => ("M-3.5,-3.5h7v7h-7z", false),
-                2 => ("M0,-4.5L4.2,3.2H-4.2z", false),
-                3 => ("M0,-4.8L4.8,0L0,4.8L-4.8,0z", false),
-                4 => ("M-3.8,0a3.8,3.8 0 1,0 7.6,0a3.8,3.8 0 1,0 -7.6,0z", true),
-                5 => ("M-3.4,-3.4h6.8v6.8h-6.8z", true),
-                6 => ("M0,4.5L4.2,-3.2H-4.2z", true),
-                7 => ("M0,-5L5,0L0,5L-5,0z", true),
-                _ => ("M0,-7L1.7,-2.3L6.7,-2.2L2.7,0.9L4.1,5.7L0,2.8L-4.1,5.7L-2.7,0.9L-6.7,-2.2L-1.7,-2.3z", true),
+            Self::Method(method) => match method.mark {
+                Mark::Ring => (CIRCLE, false),
+                Mark::Diamond => (DIAMOND, true),
+                Mark::Square => (SQUARE, true),
+                Mark::Triangle => (TRIANGLE, true),
+                Mark::TriangleDown => (TRIANGLE_DOWN, true),
+                Mark::OpenSquare => (SQUARE, false),
+                Mark::OpenDiamond => (DIAMOND, false),
+                Mark::OpenTriangle => (TRIANGLE, false),
+                Mark::OpenTriangleDown => (TRIANGLE_DOWN, false),
+                Mark::Star => ("M0,-6L1.5,-1.5L6,0L1.5,1.5L0,6L-1.5,1.5L-6,0L-1.5,-1.5z", true),
+                Mark::Hourglass => ("M-3.8,-4.4H3.8L0,0L3.8,4.4H-3.8L0,0z", true),
+                Mark::Bow => ("M-4.4,-3.8V3.8L0,0L4.4,3.8V-3.8L0,0z", true),
+                Mark::Bars => ("M-3.6,-4H-1.6V4H-3.6zM1.6,-4H3.6V4H1.6z", true),
             },
             Self::Peer(index) => match index % 3 {
                 0 => ("M-4,-4L4,4M-4,4L4,-4", false),
                 1 => ("M-5,0H5M0,-5V5", false),
                 _ => ("M-4,-4L4,4M-4,4L4,-4M-5.5,0H5.5", false),
             },
+            Self::Page(_) => (CIRCLE, true),
         }
     }
 }
@@ -237,11 +272,12 @@ impl Plot {
         let (body, (width, height)) = (self.body(), self.size);
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">\n\
-             <style>{STYLE}</style>\n<rect width=\"100%\" height=\"100%\" style=\"fill:var(--paper)\"/>\n{body}</svg>\n"
+             <style>{}</style>\n<rect width=\"100%\" height=\"100%\" style=\"fill:var(--paper)\"/>\n{body}</svg>\n",
+            style()
         )
     }
 
-    /// The plot inside a page that has [`STYLE`].
+    /// The plot inside a page that has [`style()`].
     #[must_use]
     pub fn inline(&self) -> String {
         let (title, (width, height)) = (escape(&self.title), self.size);
