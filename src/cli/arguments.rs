@@ -4,13 +4,12 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
+use dzhanibekov::files;
+#[cfg(feature = "window")]
+use dzhanibekov::scene::SceneError;
 use dzhanibekov::scene::{DEFAULT_PRESET, Layout, Scene, SceneFile, Theme, flags, preset};
 
 use super::failure::{Failure, say};
-use super::input::read_text;
-
-/// Largest scene file read (bytes): a thousand times the longest preset.
-const LARGEST_FILE: u64 = 1 << 20;
 
 /// The scene and what overrides it.
 #[derive(Args, Debug)]
@@ -317,38 +316,19 @@ fn override_with<T>(value: &mut Option<T>, given: Option<T>) {
 /// The scene of a file, or those of a folder in the order of their names, each checked; in a folder there is at least one.
 #[cfg(feature = "window")]
 pub(super) fn scenes_at(path: &Path) -> Result<Vec<dzhanibekov::app::Slide>, String> {
-    let mut paths = vec![path.to_owned()];
-    if path.is_dir() {
-        let refused = |error: std::io::Error| format!("{}: could not be read: {error}", path.display());
-        let entries = std::fs::read_dir(path).map_err(refused)?;
-        paths = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>, _>>().map_err(refused)?;
-        paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml") && !path.is_dir());
-        paths.sort();
-        if paths.is_empty() {
-            return Err(format!("{}: there is no .toml file in this folder to show as a slide", path.display()));
-        }
-    }
-    let read = |path: &PathBuf| {
-        let (name, file) = read_file(path)?;
-        Scene::check(&file).map_err(|error| format!("{name}: {error}"))?;
-        Ok(dzhanibekov::app::Slide { name, file })
+    let scenes = files::read_scenes(path).map_err(|error| error.to_string())?;
+    let slide = |(name, scene): (String, Result<SceneFile, SceneError>)| match scene {
+        Ok(file) => Ok(dzhanibekov::app::Slide { name, file }),
+        Err(error) => Err(format!("{name}: {error}")),
     };
-    paths.iter().map(read).collect()
+    scenes.into_iter().map(slide).collect()
 }
 
 /// Reads a scene file; its path comes with it.
 fn read_file(path: &Path) -> Result<(String, SceneFile), String> {
     let name = path.display().to_string();
-    let text = read_scene(path).map_err(|reason| format!("{name}: {reason}"))?;
-    let file = SceneFile::parse(&text).map_err(|error| format!("{name}: {error}"))?;
+    let file = files::read_scene(path).map_err(|error| format!("{name}: {error}"))?;
     Ok((name, file))
-}
-
-fn read_scene(path: &Path) -> Result<String, String> {
-    if path.is_dir() {
-        return Err("is a folder, which only the window can show; here name one of the scenes in it".to_owned());
-    }
-    read_text(path, LARGEST_FILE)
 }
 
 /// Reads exactly `N` numbers with commas between them.

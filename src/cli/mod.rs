@@ -2,7 +2,6 @@
 
 mod arguments;
 mod failure;
-mod input;
 mod lists;
 mod manual;
 mod output;
@@ -15,6 +14,7 @@ mod record;
 #[cfg(feature = "report")]
 mod report;
 mod signal;
+mod times;
 mod trace;
 
 use std::process::ExitCode;
