@@ -67,6 +67,7 @@
 //! | [`physics`] | rotations, bodies, the exact motion, methods, Poinsot's geometry: pure f64 | – |
 //! | [`scene`] | what a scene says: read, checked, written; the presets | – |
 //! | [`sim`] | the clock, the running simulation, its history | – |
+//! | `files` | files read and written for a person | `files` |
 //! | `objects`, `frame`, `camera` | what is drawn | `picture` |
 //! | `render` | how it is drawn, by wgpu | `picture` |
 //! | `headless` | pictures and films with no window | `picture` |
@@ -79,6 +80,8 @@
 pub mod app;
 #[cfg(feature = "picture")]
 pub mod camera;
+#[cfg(feature = "files")]
+pub mod files;
 #[cfg(feature = "picture")]
 pub mod frame;
 #[cfg(feature = "picture")]

@@ -1,9 +1,10 @@
-//! Files that the window writes: whole or not at all, and never over another one.
+//! What the window reads and writes: scenes of people's own, pictures, texts.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use crate::session;
+use crate::files;
+use crate::objects;
+use crate::session::{Slide, slug};
 
 /// What is said of a file that is held over the window.
 pub(super) fn offer(path: &Path) -> String {
@@ -11,30 +12,25 @@ pub(super) fn offer(path: &Path) -> String {
     format!("Let go to open {name}")
 }
 
-/// Writes a new file `stem-N.extension` in the working directory, `N` the first number that is free.
-pub(super) fn write_new(stem: &str, extension: &str, bytes: &[u8]) -> Result<PathBuf, String> {
-    let stem = session::slug(stem);
-    for number in 1..100_000 {
-        let path = PathBuf::from(format!("{stem}-{number}.{extension}"));
-        if !path.exists() {
-            return write_whole(&path, bytes).map(|()| std::path::absolute(&path).unwrap_or(path));
-        }
-    }
-    Err(format!("there is no free name left for {stem}"))
+/// The scene of a file, or those of a folder in the order of their names; one that cannot be shown says why and leaves the others.
+///
+/// # Errors
+/// A folder that cannot be read or has no scene in it: one sentence.
+pub fn read_slides(path: &Path) -> Result<Vec<Slide>, String> {
+    let scenes = files::read_scenes(path).map_err(|error| error.to_string())?;
+    let checked = scenes.into_iter().map(|(name, file)| {
+        let file = file.and_then(|file| objects::check(&file).map(|_| file)).map_err(|error| error.to_string());
+        Slide { name, file }
+    });
+    Ok(checked.collect())
 }
 
-/// Writes beside the file, then renames: nobody ever sees half of it.
+/// Writes a new file `title-N.extension` in the working directory, `N` the first number that is free.
+pub(super) fn write_new(title: &str, extension: &str, bytes: &[u8]) -> Result<PathBuf, String> {
+    files::write_new(Path::new(""), &slug(title), extension, bytes).map_err(|error| error.to_string())
+}
+
+/// Writes a file that is there already, or is not: nobody ever sees half of it.
 pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), String> {
-    let beside = path.with_extension("part");
-    let write = || {
-        let mut file = std::fs::File::create(&beside)?;
-        file.write_all(bytes)?;
-        file.sync_all()?;
-        std::fs::rename(&beside, path)
-    };
-    write().map_err(|error: std::io::Error| {
-        // Nothing half-written stays behind; where that fails too, the first error is the one to tell.
-        let _ = std::fs::remove_file(&beside);
-        format!("{} could not be written: {error}", path.display())
-    })
+    files::write(path, bytes).map_err(|error| error.to_string())
 }

@@ -23,6 +23,7 @@ use winit::window::WindowId;
 
 use web_time::Instant;
 
+pub use files::read_slides;
 pub use offscreen::with_panels;
 pub use startup::WindowError;
 
@@ -45,15 +46,10 @@ pub struct WindowOptions {
     pub slides: Vec<Slide>,
     /// Makes a PNG file of a picture, transparent or not.
     pub encode_png: EncodePng,
-    /// Reads the scene of a file, or those of a folder.
-    pub read_scenes: ReadScenes,
 }
 
 /// Makes a PNG file of a picture, transparent or not; or says why it could not.
 pub type EncodePng = fn(&Pixels, bool) -> Result<Vec<u8>, String>;
-
-/// Reads the scene of a file, or those of a folder, each sound; or says why not.
-pub type ReadScenes = fn(&Path) -> Result<Vec<Slide>, String>;
 
 /// Opens the window on a scene and returns when it is closed.
 ///
@@ -212,7 +208,7 @@ impl App {
     fn take_effect(&mut self, effect: Effect) {
         match effect {
             Effect::Open(place) => {
-                let read = (self.options.read_scenes)(Path::new(&place));
+                let read = files::read_slides(Path::new(&place));
                 self.session.open_slides(&place, read);
             }
             Effect::SaveText { place, title, text } => {

@@ -4,13 +4,10 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
+use dzhanibekov::files;
 use dzhanibekov::scene::{DEFAULT_PRESET, Layout, Scene, SceneFile, Theme, flags, preset};
 
 use super::failure::{Failure, say};
-use super::input::read_text;
-
-/// Largest scene file read (bytes): a thousand times the longest preset.
-const LARGEST_FILE: u64 = 1 << 20;
 
 /// The scene and what overrides it.
 #[derive(Args, Debug)]
@@ -219,10 +216,15 @@ impl SceneArguments {
         if !self.name().is_dir() {
             return Ok((self.scene(Some(view), is_quiet)?, Vec::new()));
         }
-        let slides = scenes_at(self.name()).map_err(Failure::request)?;
-        let Some(first) = slides.first() else { return Ok((self.scene(Some(view), is_quiet)?, slides)) };
-        let file = first.file.clone().map_err(Failure::request)?;
-        Ok((self.checked(Some(&first.name), &file, Some(view), is_quiet)?, slides))
+        let slides = dzhanibekov::app::read_slides(self.name()).map_err(Failure::request)?;
+        let sound = slides.iter().find_map(|slide| Some((&slide.name, slide.file.as_ref().ok()?)));
+        let Some((name, file)) = sound else {
+            let why = slides.first().map(|slide| (slide.name.clone(), slide.file.clone().err().unwrap_or_default()));
+            let (name, why) = why.unwrap_or_default();
+            return Err(Failure::request(format!("{name}: {why}")));
+        };
+        let scene = self.checked(Some(name), file, Some(view), is_quiet)?;
+        Ok((scene, slides))
     }
 
     fn name(&self) -> &Path {
@@ -315,41 +317,11 @@ fn override_with<T>(value: &mut Option<T>, given: Option<T>) {
     }
 }
 
-/// The scene of a file, or those of a folder in the order of their names, each checked; in a folder there is at least one.
-#[cfg(feature = "window")]
-pub(super) fn scenes_at(path: &Path) -> Result<Vec<dzhanibekov::session::Slide>, String> {
-    let mut paths = vec![path.to_owned()];
-    if path.is_dir() {
-        let refused = |error: std::io::Error| format!("{}: could not be read: {error}", path.display());
-        let entries = std::fs::read_dir(path).map_err(refused)?;
-        paths = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>, _>>().map_err(refused)?;
-        paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml") && !path.is_dir());
-        paths.sort();
-        if paths.is_empty() {
-            return Err(format!("{}: there is no .toml file in this folder to show as a slide", path.display()));
-        }
-    }
-    let read = |path: &PathBuf| {
-        let (name, file) = read_file(path)?;
-        Scene::check(&file).map_err(|error| format!("{name}: {error}"))?;
-        Ok(dzhanibekov::session::Slide { name, file: Ok(file) })
-    };
-    paths.iter().map(read).collect()
-}
-
 /// Reads a scene file; its path comes with it.
 fn read_file(path: &Path) -> Result<(String, SceneFile), String> {
     let name = path.display().to_string();
-    let text = read_scene(path).map_err(|reason| format!("{name}: {reason}"))?;
-    let file = SceneFile::parse(&text).map_err(|error| format!("{name}: {error}"))?;
+    let file = files::read_scene(path).map_err(|error| format!("{name}: {error}"))?;
     Ok((name, file))
-}
-
-fn read_scene(path: &Path) -> Result<String, String> {
-    if path.is_dir() {
-        return Err("is a folder, which only the window can show; here name one of the scenes in it".to_owned());
-    }
-    read_text(path, LARGEST_FILE)
 }
 
 /// Reads exactly `N` numbers with commas between them.

@@ -11,6 +11,8 @@ pub(super) enum Failure {
     Request(String),
     /// The request was right and could not be carried out: exit code 1.
     Could(String),
+    /// Who read the result went away, which is no fault: `| head -1`. Nothing is said, exit code 0.
+    ReaderGone,
 }
 
 impl Failure {
@@ -33,6 +35,7 @@ impl Failure {
         let (message, code) = match self {
             Self::Request(message) => (message, 2),
             Self::Could(message) => (message, 1),
+            Self::ReaderGone => return ExitCode::SUCCESS,
         };
         say(&message);
         ExitCode::from(code)

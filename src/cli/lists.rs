@@ -4,13 +4,13 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use clap::Args;
+use dzhanibekov::files;
 use dzhanibekov::physics::METHODS;
 use dzhanibekov::physics::methods::{Keeps, Order};
 use dzhanibekov::scene::presets;
 use serde_json::json;
 
 use super::failure::Failure;
-use super::output::{io_failure, write_whole};
 
 /// Flags of the listing commands.
 #[derive(Args, Debug)]
@@ -105,8 +105,7 @@ pub(super) fn table<const N: usize, Cell: AsRef<str>>(rows: impl Iterator<Item =
     text
 }
 
-/// Prints to standard output, where a closed pipe is a failure and no panic.
+/// Prints to standard output.
 pub(super) fn print(text: &str) -> Result<(), Failure> {
-    let stdout = Path::new("-");
-    write_whole(stdout, |writer| writer.write_all(text.as_bytes()).map_err(|error| io_failure(stdout, &error)))
+    Ok(files::write(Path::new("-"), text.as_bytes())?)
 }

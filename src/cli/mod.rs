@@ -2,7 +2,6 @@
 
 mod arguments;
 mod failure;
-mod input;
 mod lists;
 mod manual;
 mod output;
@@ -15,6 +14,7 @@ mod record;
 #[cfg(feature = "report")]
 mod report;
 mod signal;
+mod times;
 mod trace;
 
 use std::process::ExitCode;
@@ -174,8 +174,7 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
             dzhanibekov::headless::encode(pixels, transparent, &[]).map_err(|error| error.to_string())
         };
         let adapter = arguments.adapter.clone();
-        let read_scenes = arguments::scenes_at;
-        let options = dzhanibekov::app::WindowOptions { size, adapter, slides, encode_png, read_scenes };
+        let options = dzhanibekov::app::WindowOptions { size, adapter, slides, encode_png };
         dzhanibekov::app::run(scene, options).map_err(|error| Failure::could(error.to_string()))
     }
     #[cfg(not(feature = "window"))]

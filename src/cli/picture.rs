@@ -3,10 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use dzhanibekov::files;
 #[cfg(feature = "window")]
 use dzhanibekov::headless::encode;
 use dzhanibekov::headless::{HeadlessError, Note, ShotOptions, shot as draw};
 use dzhanibekov::objects::{OBJECTS, object_named};
+use dzhanibekov::physics::Method;
 use dzhanibekov::render::{self, Gpu};
 use dzhanibekov::scene::{Scene, nearest, quoted};
 use dzhanibekov::sim::Simulation;
@@ -15,9 +17,10 @@ use serde_json::json;
 use super::arguments::PictureArguments;
 use super::failure::{Failure, say};
 use super::lists::{ListArguments, print, table};
-use super::output::{check_place, io_failure, write_whole};
+use super::output::check_place;
 use super::quiet_driver::keep_quiet;
 use super::signal;
+use super::times::{check_steps, short};
 
 impl From<HeadlessError> for Failure {
     fn from(error: HeadlessError) -> Self {
@@ -46,6 +49,7 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     let picture = &arguments.picture;
     let (scene, words) = picture_scene(picture)?;
     check_place(&arguments.output)?;
+    check_ending(&arguments.output)?;
     let mut simulation = Simulation::new(&scene);
     if picture.time != 0.0 {
         simulation.go_to(picture.time);
@@ -57,21 +61,29 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     #[cfg(feature = "window")]
     if arguments.panel {
         let options = options(picture);
-        let mut notes = notes(picture, &words, picture.time);
+        let mut notes = notes(picture, &scene, &words, picture.time);
         if let Some((_, command)) = notes.last_mut() {
             command.push_str(" --panel");
         }
         let pixels = dzhanibekov::app::with_panels(&gpu, scene, picture.time, options.size)
             .map_err(|error| Failure::could(error.to_string()))?;
         let bytes = encode(&pixels, false, &notes).map_err(HeadlessError::from)?;
-        return write_picture(&arguments.output, &bytes);
+        return Ok(files::write(&arguments.output, &bytes)?);
     }
-    let bytes = draw(&gpu, &scene, &simulation, &options(picture), &notes(picture, &words, picture.time))?;
-    write_picture(&arguments.output, &bytes)
+    let bytes = draw(&gpu, &scene, &simulation, &options(picture), &notes(picture, &scene, &words, picture.time))?;
+    Ok(files::write(&arguments.output, &bytes)?)
 }
 
-fn write_picture(output: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    write_whole(output, |writer| writer.write_all(bytes).map_err(|error| io_failure(output, &error)))
+/// Refuses a name that says another format than PNG, or none. Where a stream goes has a name of its own.
+fn check_ending(output: &Path) -> Result<(), Failure> {
+    let is_png = output.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
+    if is_png || files::takes_streams(output) {
+        return Ok(());
+    }
+    Err(Failure::request(format!(
+        "{} names no format that shot writes: give a name ending in .png, or - for standard output",
+        output.display()
+    )))
 }
 
 /// The scene of a picture, checked, and the words of a command line that name it.
@@ -81,7 +93,13 @@ pub(super) fn picture_scene(picture: &PictureArguments) -> Result<(Scene, Vec<St
     if !picture.time.is_finite() {
         return Err(Failure::request(format!("--time {} is not finite", picture.time)));
     }
+    check_steps(&scene, &format!("--time {}", short(picture.time)), picture.time, followed(&scene))?;
     Ok((scene, words))
+}
+
+/// The methods that a picture shows: the body's own and those beside it.
+pub(super) fn followed(scene: &Scene) -> impl Iterator<Item = &&'static Method> {
+    std::iter::once(&scene.method).chain(&scene.compare)
 }
 
 pub(super) fn options(picture: &PictureArguments) -> ShotOptions {
@@ -98,20 +116,22 @@ pub(super) fn open(picture: &PictureArguments) -> Result<Gpu, Failure> {
 }
 
 /// What a picture's file says of itself: the program, the scene, the time and the command that draws it again.
-pub(super) fn notes(picture: &PictureArguments, words: &[String], time: f64) -> Vec<Note> {
+pub(super) fn notes(picture: &PictureArguments, scene: &Scene, words: &[String], time: f64) -> Vec<Note> {
     let mut command = vec!["dzhanibekov".to_owned(), "shot".to_owned()];
     command.extend_from_slice(words);
-    command.extend(["--time".to_owned(), time.to_string()]);
+    command.extend(["--time".to_owned(), short(time)]);
     let [width, height] = picture.size;
     command.extend(["--size".to_owned(), format!("{width}x{height}")]);
     if picture.transparent {
         command.push("--transparent".to_owned());
     }
     command.extend(["-o".to_owned(), "picture.png".to_owned()]);
+    let title = Some(scene.file.title.clone()).filter(|title| !title.is_empty());
+    let title = title.or_else(|| words.first().cloned()).unwrap_or_default();
     vec![
         ("Software", concat!("dzhanibekov ", env!("CARGO_PKG_VERSION")).to_owned()),
-        ("Title", words.first().cloned().unwrap_or_default()),
-        ("Description", format!("t = {time} s")),
+        ("Title", title),
+        ("Description", format!("t = {} s", short(time))),
         ("Comment", quoted(&command)),
     ]
 }

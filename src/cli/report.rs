@@ -4,14 +4,14 @@ use std::fs;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 
+use dzhanibekov::files;
 use dzhanibekov::report::cases::Case;
 use dzhanibekov::report::{self, Effort, Report, ReportError, peers, write};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::arguments::ReportArguments;
 use super::failure::{Failure, say};
-use super::input::read_text;
-use super::output::{io_failure, write_whole};
+use super::output::{check_place, io_failure};
 
 /// Folder of a report that names none.
 const DEFAULT_FOLDER: &str = "report";
@@ -37,13 +37,8 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
     if let Some(folder) = folder {
         prepare(folder)?;
     }
-    if let Some(file) = arguments.json.as_deref().filter(|file| *file != Path::new("-")) {
-        if file.is_dir() {
-            return Err(Failure::request(format!("{} is a folder: name a file in it", file.display())));
-        }
-        if let Some(folder) = file.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir()) {
-            return Err(Failure::could(format!("could not write {}: no folder {}", file.display(), folder.display())));
-        }
+    if let Some(file) = &arguments.json {
+        check_place(file)?;
     }
 
     let effort = if arguments.quick { Effort::quick() } else { Effort::full() };
@@ -85,7 +80,7 @@ fn write_folder(report: &Report, folder: &Path) -> Result<(), Failure> {
 }
 
 fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
-    write_whole(path, |writer| writer.write_all(text.as_bytes()).map_err(|error| io_failure(path, &error)))
+    Ok(files::write(path, text.as_bytes())?)
 }
 
 /// Makes the folder and tries whether a file can be made in it.
@@ -93,15 +88,14 @@ fn prepare(folder: &Path) -> Result<(), Failure> {
     if folder.exists() && !folder.is_dir() {
         return Err(Failure::request(format!("{} is a file: name a folder", folder.display())));
     }
-    fs::create_dir_all(folder).map_err(|error| io_failure(folder, &error))?;
-    let trial = folder.join(format!(".trial.part-{}", std::process::id()));
-    fs::write(&trial, []).and_then(|()| fs::remove_file(&trial)).map_err(|error| io_failure(folder, &error))
+    fs::create_dir_all(folder).map_err(|error| io_failure(folder, error))?;
+    // Dropped, it is gone.
+    files::Output::create(&folder.join("report.html")).map(|_| ()).map_err(Failure::from)
 }
 
 fn read_peers(path: &Path) -> Result<Vec<peers::Peer>, Failure> {
-    let wrong = |reason: String| Failure::request(format!("{}: {reason}", path.display()));
-    let text = read_text(path, LARGEST_FILE).map_err(wrong)?;
-    peers::parse(&text).map_err(|error: ReportError| wrong(error.to_string()))
+    let text = files::read_text(path, LARGEST_FILE)?;
+    peers::parse(&text).map_err(|error: ReportError| Failure::request(format!("{}: {error}", path.display())))
 }
 
 /// A bar on a terminal, nothing elsewhere.

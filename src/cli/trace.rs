@@ -1,19 +1,21 @@
 //! `trace`: the motion as numbers.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
+use clap::builder::{OsStringValueParser, TypedValueParser};
 use dzhanibekov::physics::{Body, Integration, State};
+use dzhanibekov::scene::Scene;
 
-use super::arguments::{SceneArguments, number_list};
+use super::arguments::SceneArguments;
 use super::failure::Failure;
-use super::output::{io_failure, write_whole};
+use super::output::{check_place, io_failure, write_whole};
 use super::signal;
+use super::times::{Decimal, Times, check_steps, goes_directly, rough, short, span, sweep, time_of};
 
 const HEADER: &str = "t,r11,r12,r13,r21,r22,r23,r31,r32,r33,M1,M2,M3,W1,W2,W3,L1,L2,L3,energy\n";
-const DEFAULT_EVERY: f64 = 0.01;
-const DEFAULT_DURATION: f64 = 10.0;
+/// Most rows at equal distances: some hundred gigabytes.
+const MOST_ROWS: u64 = 1_000_000_000;
 
 /// Flags of `trace`.
 #[derive(Args, Debug)]
@@ -23,71 +25,115 @@ pub(super) struct TraceArguments {
     /// File to write, or - for standard output
     #[arg(short, long, value_name = "FILE.csv|-", default_value = "-")]
     output: PathBuf,
-    /// Times wanted (s), in any order
-    #[arg(long, value_name = "T,T,…", value_parser = times, allow_hyphen_values = true, conflicts_with_all = ["every", "duration"])]
+    /// Times wanted (s), in any order; or a file of them, or - for standard input
+    #[arg(long, value_name = "T,T,…|@FILE|-", value_parser = OsStringValueParser::new().try_map(Times::parse), allow_hyphen_values = true, conflicts_with_all = ["every", "duration"])]
     at: Option<Times>,
     /// Time between rows (s); 0.01 where left out
-    #[arg(long, value_name = "DT", allow_hyphen_values = true)]
-    every: Option<f64>,
+    #[arg(long, value_name = "DT", value_parser = Decimal::parse, allow_hyphen_values = true)]
+    every: Option<Decimal>,
     /// Time of the last row (s); 10 where left out
-    #[arg(long, value_name = "T", allow_hyphen_values = true)]
-    duration: Option<f64>,
+    #[arg(long, value_name = "T", value_parser = Decimal::parse, allow_hyphen_values = true)]
+    duration: Option<Decimal>,
     /// Say nothing but errors
     #[arg(long)]
     quiet: bool,
 }
 
-/// A list of times (s), each finite.
-#[derive(Clone, Debug)]
-struct Times(Vec<f64>);
-
-fn times(text: &str) -> Result<Times, String> {
-    let times = number_list(text)?;
-    match times.iter().find(|time| !time.is_finite()) {
-        Some(time) => Err(format!("the time {time} is not finite")),
-        None => Ok(Times(times)),
-    }
+/// The rows wanted.
+enum Rows {
+    /// At these times (s), in this order.
+    At(Vec<f64>),
+    /// At the multiples 0 to `last` of a time.
+    Every(Decimal, u64),
 }
 
 pub(super) fn run(arguments: &TraceArguments) -> Result<(), Failure> {
     signal::end_at_once()?;
     let scene = arguments.scene.scene(None, arguments.quiet)?;
+    check_place(&arguments.output)?;
+    let rows = rows(arguments, &scene)?;
     let mut integration = Integration::new(scene.method, &scene.body, scene.start, scene.step);
-    let every = arguments.every.unwrap_or(DEFAULT_EVERY);
-    let duration = arguments.duration.unwrap_or(DEFAULT_DURATION);
-    if !(every.is_finite() && every > 0.0) {
-        return Err(Failure::request(format!("--every {every:?} is not valid: it must be finite and above 0")));
-    }
-    if !(duration.is_finite() && duration >= 0.0) {
-        return Err(Failure::request(format!(
-            "--duration {duration:?} is not valid: it must be finite and not negative"
-        )));
-    }
+    let mut state_at =
+        |time| integration.state_at(time).map_err(|error| Failure::could(format!("at {} s: {error}", short(time))));
     write_whole(&arguments.output, |writer| {
-        let fail = |error| io_failure(&arguments.output, &error);
-        writer.write_all(HEADER.as_bytes()).map_err(fail)?;
-        let mut line = String::new();
-        let mut row = |time: f64, writer: &mut dyn Write| {
-            let state = integration.state_at(time).map_err(|error| Failure::could(format!("at {time} s: {error}")))?;
+        let mut line = HEADER.to_owned();
+        let mut put = |time, state: &State| {
+            write_row(&mut line, time, state, &scene.body);
+            let written = writer.write_all(line.as_bytes());
             line.clear();
-            write_row(&mut line, time, &state, &scene.body);
-            writer.write_all(line.as_bytes()).map_err(fail)
+            written.map_err(|error| io_failure(&arguments.output, error))
         };
-        if let Some(Times(times)) = &arguments.at {
-            for &time in times {
-                row(time, writer)?;
+        match rows {
+            Rows::Every(step, last) => {
+                for index in 0..=last {
+                    let time = step.times(index);
+                    put(time, &state_at(time)?)?;
+                }
             }
-            return Ok(());
-        }
-        // A last row that rounding puts an ulp past the end belongs to it.
-        let last = (duration / every * (1.0 + 4.0 * f64::EPSILON)).floor();
-        let mut index = 0.0;
-        while index <= last {
-            row(index * every, writer)?;
-            index += 1.0;
+            Rows::At(times) => match sweep(&times).filter(|_| !goes_directly(scene.method, &scene)) {
+                None => {
+                    for time in times {
+                        put(time, &state_at(time)?)?;
+                    }
+                }
+                Some(order) => {
+                    // Steps are not undone: all in one sweep, then put back in the order asked for.
+                    let mut states = vec![scene.start; times.len()];
+                    for index in order {
+                        states[index] = state_at(times[index])?;
+                    }
+                    for (time, state) in times.into_iter().zip(&states) {
+                        put(time, state)?;
+                    }
+                }
+            },
         }
         Ok(())
     })
+}
+
+/// The rows that are asked for, where there is an end to them.
+fn rows(arguments: &TraceArguments, scene: &Scene) -> Result<Rows, Failure> {
+    if let Some(times) = &arguments.at {
+        let times = times.read()?;
+        let farthest =
+            times.iter().fold(0.0_f64, |farthest, time| if time.abs() > farthest.abs() { *time } else { farthest });
+        check_steps(scene, &format!("--at {}", short(farthest)), farthest, [&scene.method])?;
+        return Ok(Rows::At(times));
+    }
+    let every = arguments.every.map_or_else(|| Decimal::parse("0.01"), Ok).map_err(Failure::request)?;
+    let duration = arguments.duration.map_or_else(|| Decimal::parse("10"), Ok).map_err(Failure::request)?;
+    if !(every.value.is_finite() && every.value > 0.0) {
+        return Err(Failure::request(format!(
+            "--every {} is not valid: it must be finite and above 0",
+            short(every.value)
+        )));
+    }
+    if !(duration.value.is_finite() && duration.value >= 0.0) {
+        return Err(Failure::request(format!(
+            "--duration {} is not valid: it must be finite and not negative",
+            short(duration.value)
+        )));
+    }
+    let last = duration.whole_parts(every).and_then(|last| u64::try_from(last).ok()).filter(|last| *last < MOST_ROWS);
+    let Some(last) = last else {
+        let count = duration.value / every.value;
+        let mut line = String::new();
+        let seconds = time_of(count, || {
+            line.clear();
+            write_row(&mut line, every.value, &scene.start, &scene.body);
+        });
+        return Err(Failure::request(format!(
+            "--every {} up to {} s makes {} rows, about {} of writing: at most {} are written, so take a longer --every, or --at with the times wanted",
+            short(every.value),
+            short(duration.value),
+            rough(count),
+            span(seconds),
+            rough(MOST_ROWS as f64)
+        )));
+    };
+    check_steps(scene, &format!("--duration {}", short(duration.value)), every.times(last), [&scene.method])?;
+    Ok(Rows::Every(every, last))
 }
 
 /// One line of the table, with the shortest decimals that read back to the same numbers.

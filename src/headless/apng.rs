@@ -14,19 +14,37 @@ pub struct Apng<W: Write> {
 }
 
 impl<W: Write> Apng<W> {
+    /// Refuses what the format cannot hold, before there is anything to write.
+    ///
+    /// # Errors
+    /// Too many frames, or a rate whose ratio has a number past 65 535.
+    pub fn check(rate: FrameRate, frames: u64) -> Result<(), MovieError> {
+        header(rate, frames).map(|_| ())
+    }
+
     /// Begins a file of exactly `frames` frames that repeats for ever.
     ///
     /// # Errors
     /// No frames, a rate that the format cannot hold (both numbers of its ratio within 65 535), or a refused write.
     pub fn new(writer: W, size: [u32; 2], rate: FrameRate, frames: u64, transparent: bool) -> Result<Self, MovieError> {
-        let too_many = || MovieError::Format(format!("an animated PNG cannot hold {frames} frames"));
-        let too_fine =
-            |_| MovieError::Format(format!("an animated PNG cannot hold {} frames in {} s", rate.frames, rate.seconds));
+        let (frames, [numerator, denominator]) = header(rate, frames)?;
         let mut encoder = encoder(writer, size, transparent);
-        encoder.set_animated(u32::try_from(frames).map_err(|_| too_many())?, 0)?;
-        let (numerator, denominator) = (u16::try_from(rate.seconds.get()), u16::try_from(rate.frames.get()));
-        encoder.set_frame_delay(numerator.map_err(too_fine)?, denominator.map_err(too_fine)?)?;
+        encoder.set_animated(frames, 0)?;
+        encoder.set_frame_delay(numerator, denominator)?;
         Ok(Self { writer: encoder.write_header()?, transparent })
+    }
+}
+
+/// The number of frames and the two numbers of the time each is shown, as the format holds them.
+fn header(rate: FrameRate, frames: u64) -> Result<(u32, [u16; 2]), MovieError> {
+    let FrameRate { frames: many, seconds } = rate;
+    let count = u32::try_from(frames)
+        .map_err(|_| MovieError::Format(format!("an animated PNG cannot hold {frames} frames")))?;
+    match (u16::try_from(seconds.get()), u16::try_from(many.get())) {
+        (Ok(numerator), Ok(denominator)) => Ok((count, [numerator, denominator])),
+        _ => Err(MovieError::Format(format!(
+            "an animated PNG cannot hold {many} frames in {seconds} s: both numbers are at most 65535"
+        ))),
     }
 }
 

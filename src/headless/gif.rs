@@ -27,16 +27,21 @@ pub struct Gif<W: Write> {
 }
 
 impl<W: Write> Gif<W> {
+    /// Refuses what the format cannot hold, before there is anything to write.
+    ///
+    /// # Errors
+    /// A side past 65 535 pixels, or a rate at which a frame is shown for less than a hundredth of a second or for more
+    /// than 655.35 s.
+    pub fn check(size: [u32; 2], rate: FrameRate) -> Result<(), MovieError> {
+        sides(size, rate).map(|_| ())
+    }
+
     /// Begins a film whose palette serves the sample pictures.
     ///
     /// # Errors
-    /// A side past 65 535 pixels, or a refused write.
+    /// What [`Self::check`] refuses, or a refused write.
     pub fn new(writer: W, size: [u32; 2], rate: FrameRate, samples: &[Pixels]) -> Result<Self, MovieError> {
-        let side = |pixels: u32| {
-            u16::try_from(pixels)
-                .map_err(|_| MovieError::Format(format!("a GIF cannot be {pixels} pixels wide or high")))
-        };
-        let size = [side(size[0])?, side(size[1])?];
+        let size = sides(size, rate)?;
         let palette = Palette::of(samples);
         let mut encoder = gif::Encoder::new(writer, size[0], size[1], &palette.bytes)?;
         encoder.set_repeat(gif::Repeat::Infinite)?;
@@ -48,6 +53,20 @@ impl<W: Write> Gif<W> {
     fn delay(&self) -> u16 {
         let hundredths = |index| (100.0 * self.rate.time(index)).round();
         (hundredths(self.frames + 1) - hundredths(self.frames)).clamp(0.0, 65_535.0) as u16
+    }
+}
+
+/// The sides as the format holds them, where it holds them and the rate.
+fn sides(size: [u32; 2], rate: FrameRate) -> Result<[u16; 2], MovieError> {
+    if !(100.0 / 65_535.0..=100.0).contains(&rate.per_second()) {
+        return Err(MovieError::Format(format!(
+            "a GIF cannot show {} frames in {} s: it counts in hundredths of a second, so at most 100 a second and at least one in 655 s",
+            rate.frames, rate.seconds
+        )));
+    }
+    match size.map(u16::try_from) {
+        [Ok(width), Ok(height)] => Ok([width, height]),
+        _ => Err(MovieError::Format(format!("a GIF cannot be {} x {} pixels large: at most 65535", size[0], size[1]))),
     }
 }
 

@@ -42,6 +42,9 @@ pub enum SceneError {
         /// What is wrong with it.
         message: String,
     },
+    /// The text could not be had.
+    #[error("{0}")]
+    Unreadable(String),
     /// The body is no body.
     #[error(transparent)]
     Body(#[from] BodyError),

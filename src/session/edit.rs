@@ -159,19 +159,14 @@ impl Session {
 
     pub(super) fn open_slide(&mut self, place: usize) {
         let Some(slide) = self.slides.get(place) else { return };
-        let file = match &slide.file {
-            Ok(file) => file.clone(),
-            Err(why) => return self.open_broken(place, why.clone()),
-        };
-        let opened = Opened { name: slide.name.clone(), title: slide.title(), file, place: Some(place) };
-        self.open(opened);
-    }
-
-    /// A slide that cannot be shown is gone to all the same: its words say why, and one goes on from there.
-    fn open_broken(&mut self, place: usize, why: String) {
-        let name = self.slides[place].name.clone();
-        let file = SceneFile { title: self.slides[place].title(), text: why, ..SceneFile::default() };
-        self.open(Opened { name, title: self.slides[place].title(), file, place: Some(place) });
+        let (name, title) = (slide.name.clone(), slide.title());
+        // A slide that cannot be shown is gone to all the same: its words say why, and one goes on from there.
+        let file = slide.file.clone().unwrap_or_else(|why| SceneFile {
+            title: title.clone(),
+            text: why,
+            ..SceneFile::default()
+        });
+        self.open(Opened { name, title, file, place: Some(place) });
     }
 
     /// Opens what was read at a place: a scene, or a folder of them to go through, followed by those built in.

@@ -1,62 +1,163 @@
 //! MP4 through an installed `ffmpeg`, which is fed a YUV4MPEG2 stream.
 
-use std::io::{self, BufWriter, Read};
+use std::ffi::OsString;
+use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 use std::path::Path;
-use std::process::{Child, ChildStdin, Command, Stdio};
+use std::process::{Child, ChildStderr, ChildStdin, Command, Stdio};
+use std::thread::JoinHandle;
 
 use dzhanibekov::headless::{FrameRate, Movie, MovieError, Y4m};
 use dzhanibekov::render::Pixels;
 
 use crate::cli::failure::Failure;
 
+/// Encoders of H.264, the best first: each with what makes a film that looks as it was drawn, where it has a setting
+/// for that; the others are given plenty of bits.
+const ENCODERS: [(&str, &[&str]); 6] = [
+    ("libx264", &["-preset", "veryfast", "-crf", "16"]),
+    ("libopenh264", &[]),
+    ("h264_videotoolbox", &[]),
+    ("h264_nvenc", &["-rc", "vbr", "-cq", "16"]),
+    ("h264_mf", &[]),
+    ("h264_v4l2m2m", &[]),
+];
+/// Bits for a pixel of a frame, of an encoder that is given a rate: for line drawings, many.
+const BITS_PER_PIXEL: f64 = 0.15;
+/// Colours as the stream has them, for an input and for an output.
+const COLOURS: [&str; 8] =
+    ["-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"];
+
 /// A running ffmpeg.
 pub(super) struct Ffmpeg {
     child: Child,
     stream: Option<Box<Y4m<BufWriter<ChildStdin>>>>,
+    /// Reads its words, so that it never waits for someone to do so; the first of them is kept.
+    words: Option<JoinHandle<String>>,
 }
 
 impl Ffmpeg {
     /// Starts it on a file, which it may write over.
     pub(super) fn new(path: &Path, size: [u32; 2], rate: FrameRate) -> Result<Self, Failure> {
-        let mut command = Command::new("ffmpeg");
-        // A terminal's Ctrl-C is for this program, which then says what becomes of the film.
-        #[cfg(unix)]
-        std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        let (encoder, settings) = encoder()?;
+        let bits = BITS_PER_PIXEL * f64::from(size[0]) * f64::from(size[1]) * rate.per_second();
+        let bits = format!("{:.0}", bits.clamp(1e6, 1e9));
+        // Said to be a file, no name is taken for a protocol, a pattern or a flag.
+        let mut file = OsString::from("file:");
+        file.push(path);
+        let mut command = ffmpeg();
+        command.args(["-nostdin", "-loglevel", "error", "-y", "-f", "yuv4mpegpipe"]).args(COLOURS).args(["-i", "-"]);
+        command.args(["-c:v", encoder]).args(settings);
+        if settings.is_empty() {
+            command.args(["-b:v", &bits]);
+        }
+        command.args(["-pix_fmt", "yuv420p"]).args(COLOURS).args(["-movflags", "+faststart", "-f", "mp4"]).arg(file);
         let mut child = command
-            .args(["-nostdin", "-loglevel", "error", "-y", "-f", "yuv4mpegpipe", "-i", "-"])
-            .args(["-c:v", "libx264", "-preset", "veryfast", "-crf", "16", "-pix_fmt", "yuv420p"])
-            .args(["-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"])
-            .args(["-movflags", "+faststart", "-f", "mp4"])
-            .arg(path)
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .stderr(Stdio::piped())
             .spawn()
-            .map_err(|error| match error.kind() {
-                io::ErrorKind::NotFound => Failure::could(
-                    "an .mp4 needs ffmpeg, which was not found: install it (on Debian apt-get install ffmpeg) or record .apng or .gif",
-                ),
-                _ => Failure::could(format!("ffmpeg could not be started: {error}")),
-            })?;
+            .map_err(|error| not_started(&error))?;
         let stdin = child.stdin.take().ok_or_else(|| Failure::could("ffmpeg takes no input"))?;
-        let stream = Y4m::new(BufWriter::new(stdin), size, rate)?;
-        Ok(Self { child, stream: Some(Box::new(stream)) })
+        let words = child.stderr.take().map(|stderr| std::thread::spawn(move || first_words(stderr)));
+        let stream = Y4m::new(BufWriter::new(stdin), size, rate)
+            .map_err(|error| Failure::could(format!("ffmpeg takes no input: {error}")))?;
+        Ok(Self { child, stream: Some(Box::new(stream)), words })
     }
 
     /// Waits for it to end and says how, where that was not well.
     fn end(&mut self) -> Result<(), MovieError> {
         self.stream = None;
-        let mut words = String::new();
-        if let Some(mut stderr) = self.child.stderr.take() {
-            stderr.read_to_string(&mut words)?;
-        }
+        let words = self.words.take().and_then(|words| words.join().ok()).unwrap_or_default();
         let status = self.child.wait()?;
         // It calls it a success where the disk was full at the end; only its errors are let through to standard error.
-        if status.success() && words.trim().is_empty() {
+        if status.success() && words.is_empty() {
             return Ok(());
         }
-        let reason = words.lines().last().map_or_else(String::new, |line| format!(": {}", line.trim()));
+        let reason = if words.is_empty() { String::new() } else { format!(": {words}") };
         Err(MovieError::Format(format!("ffmpeg ended with {status}{reason}")))
+    }
+}
+
+/// The program, out of the reach of a terminal's Ctrl-C: that is for this one, which then says what becomes of the film.
+fn ffmpeg() -> Command {
+    let mut command = Command::new("ffmpeg");
+    #[cfg(unix)]
+    std::os::unix::process::CommandExt::process_group(&mut command, 0);
+    command
+}
+
+/// Why there is no ffmpeg at work.
+fn not_started(error: &io::Error) -> Failure {
+    match error.kind() {
+        io::ErrorKind::NotFound => Failure::could(
+            "an .mp4 needs ffmpeg, which was not found: install it (on Debian apt-get install ffmpeg) or record .apng or .gif",
+        ),
+        _ => Failure::could(format!("ffmpeg could not be started: {error}")),
+    }
+}
+
+/// The best encoder of H.264 that it has, and its settings.
+fn encoder() -> Result<(&'static str, &'static [&'static str]), Failure> {
+    let listed = ffmpeg()
+        .args(["-hide_banner", "-encoders"])
+        .stdin(Stdio::null())
+        .stderr(Stdio::null())
+        .output()
+        .map_err(|error| not_started(&error))?;
+    let list = String::from_utf8_lossy(&listed.stdout);
+    let has = |name: &str| list.lines().any(|line| line.split_whitespace().nth(1) == Some(name));
+    // One that cannot even list them says itself what ails it.
+    if !listed.status.success() || has(ENCODERS[0].0) {
+        return Ok(ENCODERS[0]);
+    }
+    // The others may be listed and want a device that is not there.
+    ENCODERS.into_iter().find(|(name, _)| has(name) && can_encode(name)).ok_or_else(|| {
+        let names = ENCODERS.map(|(name, _)| name).join(", ");
+        Failure::could(format!(
+            "the ffmpeg here has no encoder of H.264 that works ({names}): install one with libx264 (Debian's has it), record .apng or .gif, or pipe `-o -` into a codec that it has"
+        ))
+    })
+}
+
+/// Whether an encoder takes a small grey picture.
+fn can_encode(name: &str) -> bool {
+    const SIZE: [usize; 2] = [320, 180];
+    let child = ffmpeg()
+        .args(["-loglevel", "quiet", "-f", "rawvideo", "-pix_fmt", "yuv420p", "-s"])
+        .arg(format!("{}x{}", SIZE[0], SIZE[1]))
+        .args(["-i", "-", "-frames:v", "1", "-c:v", name, "-b:v", "1M", "-f", "null", "-"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn();
+    let Ok(mut child) = child else { return false };
+    if let Some(mut stdin) = child.stdin.take() {
+        // Where it goes away early its exit code says so.
+        let _ = stdin.write_all(&vec![128; SIZE[0] * SIZE[1] * 3 / 2]);
+    }
+    child.wait().is_ok_and(|status| status.success())
+}
+
+/// The first thing said, the rest read and left: what comes first is the cause, what follows its consequences.
+fn first_words(stderr: ChildStderr) -> String {
+    let mut reader = BufReader::new(stderr);
+    let mut words = String::new();
+    let mut line = vec![];
+    while words.is_empty() && reader.read_until(b'\n', &mut line).is_ok_and(|length| length > 0) {
+        words = without_address(String::from_utf8_lossy(&line).trim());
+        line.clear();
+    }
+    let _ = io::copy(&mut reader.by_ref(), &mut io::sink());
+    words
+}
+
+/// `[libx264 @ 0x55d0c8] no` as `[libx264] no`.
+fn without_address(line: &str) -> String {
+    match line.split_once(" @ 0x") {
+        Some((before, after)) if before.starts_with('[') => {
+            format!("{before}{}", after.trim_start_matches(|character: char| character.is_ascii_hexdigit()))
+        }
+        _ => line.to_owned(),
     }
 }
 
@@ -66,20 +167,20 @@ impl Movie for Ffmpeg {
             Some(stream) => stream.frame(pixels),
             None => Ok(()),
         };
-        match written {
-            // It ended early: its own words say more than a closed pipe.
-            Err(error) => self.end().and(Err(error)),
-            Ok(()) => Ok(()),
-        }
+        // It ended early: its own words say more than a closed pipe.
+        written.or_else(|_| self.end().and_then(|()| ended_early()))
     }
 
     fn finish(mut self: Box<Self>) -> Result<(), MovieError> {
-        if let Some(stream) = self.stream.take() {
-            let flushed = stream.finish();
-            return self.end().and(flushed);
-        }
-        self.end()
+        let flushed = self.stream.take().map_or(Ok(()), |stream| stream.finish());
+        self.end()?;
+        flushed.or_else(|_| ended_early())
     }
+}
+
+/// It went away before the last frame and called that a success.
+fn ended_early() -> Result<(), MovieError> {
+    Err(MovieError::Format("ffmpeg ended before the last frame and did not say why".to_owned()))
 }
 
 impl Drop for Ffmpeg {

@@ -3,14 +3,14 @@
 mod ffmpeg;
 mod pattern;
 
-use std::io::{self, BufWriter, Write};
+use std::io::BufWriter;
 use std::num::NonZeroU32;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use clap::Args;
+use dzhanibekov::files::{self, Output, Sink};
 use dzhanibekov::headless::{
     Apng, FrameRate, Gif, HeadlessError, Movie, MovieError, Recording, Studio, Y4m, encode, is_whole, record,
 };
@@ -22,10 +22,11 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::arguments::PictureArguments;
 use super::failure::{Failure, say};
-use super::output::{WholeFile, check_place, io_failure};
-use super::picture::{notes, open, options, picture_scene};
+use super::output::{check_place, io_failure};
+use super::picture::{followed, notes, open, options, picture_scene};
 use super::quiet_driver::keep_quiet;
 use super::signal;
+use super::times::{check_steps, rough, short};
 use ffmpeg::Ffmpeg;
 use pattern::Pattern;
 
@@ -67,9 +68,11 @@ enum Format {
     Stream,
 }
 
-impl From<MovieError> for Failure {
-    fn from(error: MovieError) -> Self {
-        Self::could(format!("the recording could not be written: {error}"))
+/// What a film that failed is told by.
+fn movie_failure(output: &Path, error: MovieError) -> Failure {
+    match error {
+        MovieError::Io(error) => io_failure(output, error),
+        MovieError::Format(reason) => Failure::could(format!("the recording could not be written: {reason}")),
     }
 }
 
@@ -85,16 +88,25 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
     let format = format_of(arguments)?;
     let frames = frames_of(arguments)?;
     check_place(&arguments.output)?;
+    let end = picture.time + arguments.fps.time(frames.end);
+    check_steps(&scene, &format!("the last frame, at {} s,", short(end)), end, followed(&scene))?;
     let recording = Recording { shot: options(picture), start: picture.time, rate: arguments.fps, frames };
-    let stop = signal::raise_flag()?;
+    // A pipe is opened once someone reads it; until then, and only until then, a signal ends the program at once.
+    signal::end_at_once()?;
+    let output = match &format {
+        Format::Numbered(_) => None,
+        Format::Mp4 => Some(Output::create_for_program(&arguments.output)?),
+        Format::Gif | Format::Apng | Format::Stream => Some(Output::create(&arguments.output)?),
+    };
+    let stop = signal::raise_flag();
     let gpu = open(picture)?;
     let count = recording.frames.end - recording.frames.start;
     let bar = progress_bar(count, picture.quiet);
     let begun = Instant::now();
 
-    let is_finished = match &format {
-        Format::Numbered(pattern) => {
-            let notes_of = |index| notes(picture, &words, recording.time(index));
+    let is_finished = match (&format, output) {
+        (Format::Numbered(pattern), _) => {
+            let notes_of = |index| notes(picture, &scene, &words, recording.time(index));
             let skip = |index| {
                 let is_kept = arguments.keep
                     && std::fs::read(pattern.path(index))
@@ -102,38 +114,37 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
                 bar.inc(u64::from(is_kept));
                 is_kept
             };
-            record(&gpu, &scene, &recording, &stop, skip, |index, pixels| {
+            record(&gpu, &scene, &recording, stop, skip, |index, pixels| {
                 let bytes = encode(&pixels, picture.transparent, &notes_of(index)).map_err(HeadlessError::from)?;
-                let path = pattern.path(index);
-                let mut file = WholeFile::create(&path)?;
-                file.writer().write_all(&bytes).map_err(|error| io_failure(&path, &error))?;
-                file.keep()?;
+                files::write(&pattern.path(index), &bytes)?;
                 bar.inc(1);
                 Ok::<(), Failure>(())
             })?
         }
-        Format::Stream => {
-            let movie = Y4m::new(BufWriter::new(io::stdout()), picture.size, arguments.fps)?;
-            film(&gpu, &scene, &recording, &stop, &bar, Box::new(movie))?
-        }
-        Format::Gif | Format::Apng | Format::Mp4 => {
-            let file = WholeFile::create(&arguments.output)?;
-            let writer = || {
-                let handle = file.reopen().map_err(|error| io_failure(&arguments.output, &error))?;
-                Ok::<_, Failure>(BufWriter::new(handle))
-            };
-            let (size, rate) = (picture.size, arguments.fps);
-            let movie: Box<dyn Movie> = match format {
-                Format::Gif => Box::new(Gif::new(writer()?, size, rate, &samples(&gpu, &scene, &recording)?)?),
-                Format::Apng => Box::new(Apng::new(writer()?, size, rate, count, picture.transparent)?),
-                _ => Box::new(Ffmpeg::new(file.beside(), size, rate)?),
-            };
-            let is_finished = film(&gpu, &scene, &recording, &stop, &bar, movie)?;
+        (_, Some(output)) => {
+            let fail = |error| movie_failure(&arguments.output, error);
+            let movie = movie(&format, &output, &gpu, &scene, &recording)?;
+            let mut movie = movie.map_err(fail)?;
+            let is_finished = record(
+                &gpu,
+                &scene,
+                &recording,
+                stop,
+                |_| false,
+                |_, pixels| {
+                    movie.frame(&pixels).map_err(fail)?;
+                    bar.inc(1);
+                    Ok::<(), Failure>(())
+                },
+            )?;
             if is_finished {
-                file.keep()?;
+                movie.finish().map_err(fail)?;
+                output.keep()?;
             }
             is_finished
         }
+        // Every film has its output.
+        (_, None) => false,
     };
     bar.finish_and_clear();
     if !is_finished {
@@ -149,31 +160,28 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Draws every frame into a film; `false` where it was stopped.
-fn film(
+/// Begins a film.
+fn movie(
+    format: &Format,
+    output: &Output,
     gpu: &Gpu,
     scene: &Scene,
     recording: &Recording,
-    stop: &AtomicBool,
-    bar: &ProgressBar,
-    mut movie: Box<dyn Movie>,
-) -> Result<bool, Failure> {
-    let is_finished = record(
-        gpu,
-        scene,
-        recording,
-        stop,
-        |_| false,
-        |_, pixels| {
-            movie.frame(&pixels)?;
-            bar.inc(1);
-            Ok::<(), Failure>(())
-        },
-    )?;
-    if is_finished {
-        movie.finish()?;
-    }
-    Ok(is_finished)
+) -> Result<Result<Box<dyn Movie>, MovieError>, Failure> {
+    let Recording { shot, rate, frames, .. } = recording;
+    let (size, rate) = (shot.size, *rate);
+    let writer = || output.handle().map(BufWriter::new);
+    Ok(match format {
+        Format::Gif => Gif::new(writer()?, size, rate, &samples(gpu, scene, recording)?).map(boxed),
+        Format::Apng => Apng::new(writer()?, size, rate, frames.end - frames.start, shot.transparent).map(boxed),
+        Format::Mp4 => Ok(boxed(Ffmpeg::new(output.beside().unwrap_or(Path::new("-")), size, rate)?)),
+        Format::Stream | Format::Numbered(_) => Y4m::new(writer()?, size, rate).map(boxed),
+    })
+}
+
+/// A film of any format.
+fn boxed<M: Movie + 'static>(movie: M) -> Box<dyn Movie> {
+    Box::new(movie)
 }
 
 /// Small pictures from all over the recording, for a palette.
@@ -205,6 +213,7 @@ fn format_of(arguments: &RecordArguments) -> Result<Format, Failure> {
         Some("gif") => Format::Gif,
         Some("apng") => Format::Apng,
         Some("mp4") => Format::Mp4,
+        _ if files::takes_streams(output) => Format::Stream,
         _ => {
             return Err(Failure::request(format!(
                 "{name} names no format: give frame-{{:05}}.png, a name ending in .gif, .apng or .mp4, or - for a stream"
@@ -223,6 +232,14 @@ fn format_of(arguments: &RecordArguments) -> Result<Format, Failure> {
             "--size {width}x{height} does not go with {name}: both sides must be even"
         )));
     }
+    let checked = match format {
+        Format::Gif => Gif::<Sink>::check(arguments.picture.size, arguments.fps),
+        Format::Apng => Apng::<Sink>::check(arguments.fps, 1),
+        _ => Ok(()),
+    };
+    if let Err(error) = checked {
+        return Err(Failure::request(format!("--fps does not go with {name}: {error}")));
+    }
     if matches!(format, Format::Gif) && arguments.fps.per_second() > 50.0 && !arguments.picture.quiet {
         say("many programs slow down a GIF of more than 50 frames a second: --fps 50 plays right everywhere");
     }
@@ -232,12 +249,17 @@ fn format_of(arguments: &RecordArguments) -> Result<Format, Failure> {
 fn frames_of(arguments: &RecordArguments) -> Result<Range<u64>, Failure> {
     let duration = arguments.duration;
     if !(duration.is_finite() && duration > 0.0) {
-        return Err(Failure::request(format!("--duration {duration:?} is not valid: it must be finite and above 0")));
+        return Err(Failure::request(format!(
+            "--duration {} is not valid: it must be finite and above 0",
+            short(duration)
+        )));
     }
     let count = (duration * arguments.fps.per_second()).round();
     if !(1.0..=1e9).contains(&count) {
         return Err(Failure::request(format!(
-            "--duration {duration:?} makes {count} frames: between 1 and 1e9 are wanted"
+            "--duration {} makes {} frames: between 1 and 1e9 are wanted",
+            short(duration),
+            rough(count)
         )));
     }
     let all = 0..count as u64;
@@ -254,9 +276,14 @@ fn frames_of(arguments: &RecordArguments) -> Result<Range<u64>, Failure> {
 /// Whole, decimal, or a ratio.
 fn frame_rate(text: &str) -> Result<FrameRate, String> {
     const WANTED: &str = "a rate is a number above 0 such as 60, 29.97 or 30000/1001";
-    let rate = |frames: u32, seconds: u32| match (NonZeroU32::new(frames), NonZeroU32::new(seconds)) {
-        (Some(frames), Some(seconds)) => Ok(FrameRate { frames, seconds }),
-        _ => Err(WANTED.to_owned()),
+    let rate = |frames: u32, seconds: u32| {
+        // In lowest terms: formats hold the two numbers with a bound.
+        let (mut divisor, mut rest) = (frames, seconds);
+        while rest != 0 {
+            (divisor, rest) = (rest, divisor % rest);
+        }
+        let [frames, seconds] = [frames, seconds].map(|part| NonZeroU32::new(part.checked_div(divisor).unwrap_or(0)));
+        frames.zip(seconds).map(|(frames, seconds)| FrameRate { frames, seconds }).ok_or_else(|| WANTED.to_owned())
     };
     let whole = |text: &str| text.parse::<u32>().map_err(|_| WANTED.to_owned());
     if let Some((frames, seconds)) = text.split_once('/') {

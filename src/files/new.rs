@@ -1,0 +1,48 @@
+//! Files under names of their own, over nothing that is there.
+
+use std::fs::OpenOptions;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use super::FileError;
+use super::staged::{Staged, settle};
+
+/// Numbers tried before a folder is taken to be full of them.
+const MOST: u32 = 100_000;
+
+/// Writes a new file `stem-N.extension` in a folder, `N` the first number that is free, and says where it is. Two
+/// programs that do so at once get two files.
+///
+/// # Errors
+/// See [`FileError`]; nothing half-written is left.
+pub fn write_new(folder: &Path, stem: &str, extension: &str, bytes: &[u8]) -> Result<PathBuf, FileError> {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let place = |number| folder.join(format!("{stem}-{number}.{extension}"));
+    let refused = |error| FileError::write(&place(1), error);
+    let mut staged = Staged::make(folder, false).map_err(refused)?;
+    staged.handle().and_then(|mut file| file.write_all(bytes)).map_err(refused)?;
+    for number in 1..MOST {
+        let path = place(number);
+        let kept = match staged.rename_to_new(&path) {
+            Err(error) if error.kind() != io::ErrorKind::AlreadyExists => create_new(&path, bytes).map_err(|second| {
+                // A file system that neither renames without replacing nor links.
+                if second.kind() == io::ErrorKind::AlreadyExists { second } else { error }
+            }),
+            kept => kept,
+        };
+        match kept {
+            Ok(()) => return Ok(std::path::absolute(&path).unwrap_or(path)),
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(FileError::write(&path, error)),
+        }
+    }
+    Err(FileError::name(&place(1), &format!("and {} more names after it are taken", MOST - 2)))
+}
+
+/// Writes a file that is not there yet, where the file system has no better way; a part of it does not stay.
+fn create_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
+    file.write_all(bytes).and_then(|()| settle(&file)).inspect_err(|_| {
+        let _ = std::fs::remove_file(path);
+    })
+}

@@ -1,0 +1,112 @@
+//! Text that is read with a bound on its length, and the scenes of a file or a folder.
+
+use std::fs::{self, File};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use super::FileError;
+use crate::scene::{SceneError, SceneFile};
+
+/// Largest scene file read (bytes): a thousand times the longest preset.
+pub const LARGEST_SCENE: u64 = 1 << 20;
+
+/// The text of a file, or of a pipe, that is UTF-8 and at most `most` bytes long.
+///
+/// # Errors
+/// One sentence that says why it cannot be had.
+pub fn read_text(path: &Path, most: u64) -> Result<String, FileError> {
+    read(path, most).map_err(|reason| FileError::read(path, reason))
+}
+
+/// The text of standard input, likewise.
+///
+/// # Errors
+/// One sentence that says why it cannot be had.
+pub fn read_standard_input(most: u64) -> Result<String, FileError> {
+    text_of(std::io::stdin().lock(), most).map_err(|reason| FileError::read(Path::new("standard input"), reason))
+}
+
+/// The text, or why it cannot be had.
+fn read(path: &Path, most: u64) -> Result<String, String> {
+    let refused = |error: std::io::Error| format!("could not be read: {error}");
+    let file = File::open(path).map_err(refused)?;
+    let length = file.metadata().map_err(refused)?.len();
+    if length > most {
+        return Err(format!("is {length} bytes long, and at most {most} are read"));
+    }
+    text_of(file, most)
+}
+
+/// The text of anything that can be read to its end: a device has no length beforehand, and some have no end.
+fn text_of(source: impl Read, most: u64) -> Result<String, String> {
+    let mut bytes = vec![];
+    source.take(most + 1).read_to_end(&mut bytes).map_err(|error| format!("could not be read: {error}"))?;
+    if bytes.len() as u64 > most {
+        return Err(format!("is more than {most} bytes long, and no more are read"));
+    }
+    if is_wide(&bytes) {
+        return Err("is UTF-16 or UTF-32 text: save it as UTF-8".to_owned());
+    }
+    // The mark of UTF-8 that some editors put first is no part of the text.
+    if bytes.starts_with(b"\xef\xbb\xbf") {
+        bytes.drain(..3);
+    }
+    String::from_utf8(bytes)
+        .map_err(|error| format!("is no UTF-8 text: byte {} is not valid", error.utf8_error().valid_up_to()))
+}
+
+/// Whether text takes two or four bytes a character: it says so at its start, or every other byte there is 0.
+fn is_wide(bytes: &[u8]) -> bool {
+    match bytes {
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [0, 0, 0xfe, 0xff, ..] => true,
+        [first, 0, third, 0, ..] | [0, first, 0, third, ..] => *first != 0 && *third != 0,
+        _ => false,
+    }
+}
+
+/// Reads a scene's file. What it says is not checked yet.
+///
+/// # Errors
+/// A folder, a file that cannot be read, or text that is no scene.
+pub fn read_scene(path: &Path) -> Result<SceneFile, SceneError> {
+    if path.is_dir() {
+        let reason = "is a folder, which only the window can show; here name one of the scenes in it";
+        return Err(SceneError::Unreadable(reason.to_owned()));
+    }
+    SceneFile::parse(&read(path, LARGEST_SCENE).map_err(SceneError::Unreadable)?)
+}
+
+/// Reads the scene of a file, or all scenes of a folder in the order of their names, each with its path; one
+/// that is none leaves the others.
+///
+/// # Errors
+/// A folder that cannot be read or has no scene in it.
+pub fn read_scenes(path: &Path) -> Result<Vec<(String, Result<SceneFile, SceneError>)>, FileError> {
+    let paths = if path.is_dir() { scenes_in(path)? } else { vec![path.to_owned()] };
+    let read = |path: PathBuf| {
+        let scene = read_scene(&path);
+        (path.display().to_string(), scene)
+    };
+    Ok(paths.into_iter().map(read).collect())
+}
+
+/// The scene files of a folder. What an editor hides there and what is no file is left out.
+fn scenes_in(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
+    let refused = |error: std::io::Error| FileError::read(folder, format!("could not be read: {error}"));
+    let mut paths = vec![];
+    for entry in fs::read_dir(folder).map_err(refused)? {
+        let path = entry.map_err(refused)?.path();
+        let is_scene = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"));
+        let is_hidden = path.file_name().is_some_and(|name| name.as_encoded_bytes().starts_with(b"."));
+        // A link that leads nowhere is a scene that cannot be read, and says so.
+        let is_file = fs::metadata(&path).map_or(true, |metadata| metadata.is_file());
+        if is_scene && !is_hidden && is_file {
+            paths.push(path);
+        }
+    }
+    paths.sort();
+    if paths.is_empty() {
+        return Err(FileError::read(folder, "there is no .toml file in this folder to show as a slide"));
+    }
+    Ok(paths)
+}
