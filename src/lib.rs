@@ -67,12 +67,14 @@
 //! | [`physics`] | rotations, bodies, the exact motion, methods, Poinsot's geometry: pure f64 | – |
 //! | [`scene`] | what a scene says: read, checked, written; the presets | – |
 //! | [`sim`] | the clock, the running simulation, its history | – |
-//! | `files` | files read and written for a person | `files` |
+//! | `files` | what people name is read and written | `files` |
 //! | `objects`, `frame`, `camera` | what is drawn | `picture` |
 //! | `render` | how it is drawn, by wgpu | `picture` |
-//! | `headless` | pictures and films with no window | `picture` |
+//! | `headless` | pictures and films with no window | `headless` |
 //! | `report` | speed against error, measured | `report` |
-//! | `app`, `ui` | the window and its panels | `window` |
+//! | `session` | the state behind any front end: a scene's text and what follows from it | `ui` |
+//! | `ui` | the panels: they read, and return commands | `ui` |
+//! | `app` | the window | `window` |
 //!
 //! Data flows one way, from a scene to the simulation to objects to a frame to the picture. Without default features
 //! the library is the first three rooms.
@@ -84,7 +86,7 @@ pub mod camera;
 pub mod files;
 #[cfg(feature = "picture")]
 pub mod frame;
-#[cfg(feature = "picture")]
+#[cfg(feature = "headless")]
 pub mod headless;
 #[cfg(feature = "picture")]
 pub mod objects;
@@ -94,10 +96,10 @@ pub mod render;
 #[cfg(feature = "report")]
 pub mod report;
 pub mod scene;
-#[cfg(feature = "window")]
+#[cfg(feature = "ui")]
 pub mod session;
 pub mod sim;
 #[cfg(feature = "picture")]
 pub mod typeface;
-#[cfg(feature = "window")]
+#[cfg(feature = "ui")]
 pub mod ui;

@@ -27,7 +27,6 @@ pub use files::read_slides;
 pub use offscreen::with_panels;
 pub use startup::WindowError;
 
-use crate::render::Pixels;
 use crate::scene::Scene;
 use crate::session::{Effect, Remembered, Session, Slide};
 use crate::ui::{Command, Panels};
@@ -44,12 +43,7 @@ pub struct WindowOptions {
     pub adapter: Option<String>,
     /// The scenes to go through; those built in where there are none.
     pub slides: Vec<Slide>,
-    /// Makes a PNG file of a picture, transparent or not.
-    pub encode_png: EncodePng,
 }
-
-/// Makes a PNG file of a picture, transparent or not; or says why it could not.
-pub type EncodePng = fn(&Pixels, bool) -> Result<Vec<u8>, String>;
 
 /// Opens the window on a scene and returns when it is closed.
 ///
@@ -223,7 +217,7 @@ impl App {
             }
             Effect::WritePicture { transparent } => {
                 if let Some(window) = &mut self.window {
-                    let outcome = window.write_picture(&self.session, transparent, self.options.encode_png);
+                    let outcome = window.write_picture(&self.session, transparent);
                     self.session.say(outcome.unwrap_or_else(|why| why));
                 }
             }

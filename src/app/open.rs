@@ -12,8 +12,8 @@ use winit::window::{Fullscreen, Window, WindowAttributes};
 use super::files;
 use super::mapping::Mapping;
 use super::screen::{Painted, Presented, Screen};
-use super::{EncodePng, Wake, WindowError, WindowOptions};
-use crate::render::point_size;
+use super::{Wake, WindowError, WindowOptions};
+use crate::render::{png, point_size};
 use crate::session::{Remembered, Session};
 use crate::ui::{Command, Panels, Pixels, keys, style};
 
@@ -261,17 +261,13 @@ impl OpenWindow {
     }
 
     /// Writes the picture as it is, as large as the window; says where.
-    pub(super) fn write_picture(
-        &mut self,
-        session: &Session,
-        transparent: bool,
-        encode: EncodePng,
-    ) -> Result<String, String> {
+    pub(super) fn write_picture(&mut self, session: &Session, transparent: bool) -> Result<String, String> {
         let (width, height) = self.screen.size();
         let aspect = width as f32 / height as f32;
         let mut frame = session.frame(aspect);
         frame.transparent = transparent;
-        let bytes = encode(&self.screen.picture(&frame, [width, height])?, transparent)?;
+        let pixels = self.screen.picture(&frame, [width, height])?;
+        let bytes = png::encode(&pixels, transparent, &[]).map_err(|error| error.to_string())?;
         let path = files::write_new(session.title(), "png", &bytes)?;
         Ok(format!("Written to {}", path.display()))
     }

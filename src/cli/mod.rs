@@ -5,11 +5,11 @@ mod failure;
 mod lists;
 mod manual;
 mod output;
-#[cfg(feature = "picture")]
+#[cfg(feature = "headless")]
 mod picture;
-#[cfg(feature = "picture")]
+#[cfg(any(feature = "headless", feature = "window"))]
 mod quiet_driver;
-#[cfg(feature = "picture")]
+#[cfg(feature = "headless")]
 mod record;
 #[cfg(feature = "report")]
 mod report;
@@ -61,7 +61,7 @@ struct Arguments {
 
 #[derive(Subcommand, Debug)]
 enum Command {
-    #[cfg(feature = "picture")]
+    #[cfg(feature = "headless")]
     /// Draw one picture to a file, with no window and no display
     #[command(after_help = "Examples:
   dzhanibekov shot flip -o flip.png
@@ -69,7 +69,7 @@ enum Command {
   dzhanibekov shot flip --time 2.5 --panel -o window.png
   dzhanibekov shot --moments 1,2,3 --omega 0,1,0.001 --view body -o - | display")]
     Shot(Box<picture::ShotArguments>),
-    #[cfg(feature = "picture")]
+    #[cfg(feature = "headless")]
     /// Record moving pictures: numbered PNG files, GIF, animated PNG, MP4, or a stream
     #[command(after_help = "Examples:
   dzhanibekov record flip -o frame-{:05}.png --fps 60 --duration 10
@@ -101,7 +101,7 @@ enum Command {
   dzhanibekov methods
   dzhanibekov methods --json")]
     Methods(lists::ListArguments),
-    #[cfg(feature = "picture")]
+    #[cfg(feature = "headless")]
     /// List the graphics adapters
     #[command(after_help = "Examples:
   dzhanibekov adapters
@@ -147,16 +147,16 @@ pub(crate) fn main() -> ExitCode {
 fn run(arguments: Arguments) -> Result<(), Failure> {
     match arguments.command {
         None => window(&arguments),
-        #[cfg(feature = "picture")]
+        #[cfg(feature = "headless")]
         Some(Command::Shot(shot)) => picture::shot(&shot),
-        #[cfg(feature = "picture")]
+        #[cfg(feature = "headless")]
         Some(Command::Record(recording)) => record::run(&recording),
         Some(Command::Trace(trace)) => trace::run(&trace),
         #[cfg(feature = "report")]
         Some(Command::Report(report)) => report::run(&report),
         Some(Command::Scenes(list)) => lists::scenes(&list),
         Some(Command::Methods(list)) => lists::methods(&list),
-        #[cfg(feature = "picture")]
+        #[cfg(feature = "headless")]
         Some(Command::Adapters(list)) => picture::adapters(&list),
         Some(Command::Man) => manual::man(),
         Some(Command::Completions(completions)) => manual::completions(&completions),
@@ -168,13 +168,11 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
     {
         quiet_driver::keep_quiet();
         let (scene, slides) = arguments.scene.slides(&arguments.view, arguments.quiet)?;
+        #[cfg(feature = "headless")]
         picture::check_objects(&scene)?;
         let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
-        let encode_png = |pixels: &dzhanibekov::render::Pixels, transparent| {
-            dzhanibekov::headless::encode(pixels, transparent, &[]).map_err(|error| error.to_string())
-        };
         let adapter = arguments.adapter.clone();
-        let options = dzhanibekov::app::WindowOptions { size, adapter, slides, encode_png };
+        let options = dzhanibekov::app::WindowOptions { size, adapter, slides };
         dzhanibekov::app::run(scene, options).map_err(|error| Failure::could(error.to_string()))
     }
     #[cfg(not(feature = "window"))]
