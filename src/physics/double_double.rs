@@ -54,11 +54,6 @@ impl DoubleDouble {
         Self::quick_sum(root, residual.high / (2.0 * root))
     }
 
-    /// Its size.
-    pub(crate) fn abs(self) -> Self {
-        if self.high < 0.0 { -self } else { self }
-    }
-
     /// Its square.
     pub(crate) fn squared(self) -> Self {
         self * self

@@ -60,6 +60,9 @@ pub(crate) struct Orbit {
 /// Components this far, in powers of two, below the momentum have an exponent of their own.
 const FAR_BELOW: i32 = -300;
 
+/// And those this far below it, or below their own exponent, are as good as 0.
+const NOTHING: i32 = -900;
+
 /// Below this `k′` the functions differ from their limits by less than `k′² ln k′`: nothing.
 const SMALL_COMPLEMENT: f64 = 1e-9;
 
@@ -69,6 +72,8 @@ struct StandardPosition {
     moments: [DoubleDouble; 3],
     differences: [DoubleDouble; 3],
     momentum: [Wide; 3],
+    /// The exponent that `M₁` and `M₃` share.
+    exponent_beside: i32,
     handedness: f64,
 }
 
@@ -84,11 +89,23 @@ impl StandardPosition {
         }
         let column = |i: usize| DVec3::AXES[order[i]] * signs[i];
         let [i21, i31, i32] = start.differences;
+        let mut momentum = order.map(|i| start.momentum[i]);
+        for (m, sign) in momentum.iter_mut().zip(signs) {
+            *m = if sign < 0.0 { -*m } else { *m };
+        }
+        // The two beside the middle axis share an exponent where both are small.
+        let exponents = [momentum[0], momentum[2]].into_iter().filter(|m| m.value.high != 0.0).map(|m| m.exponent);
+        let exponent_beside = exponents.max().filter(|&exponent| exponent < FAR_BELOW).unwrap_or(0);
+        for (i, m) in momentum.iter_mut().enumerate() {
+            let unit = if i == 1 { 0 } else { exponent_beside };
+            *m = if m.exponent < unit + NOTHING { Wide::ZERO } else { *m };
+        }
         Self {
             principal_from_standard: DMat3::from_cols(column(0), column(1), column(2)),
             moments: order.map(|i| start.moments[i]),
             differences: if about_largest { [i21, i31, i32] } else { [i32, i31, i21] },
-            momentum: [0, 1, 2].map(|i| if signs[i] < 0.0 { -start.momentum[order[i]] } else { start.momentum[order[i]] }),
+            momentum,
+            exponent_beside,
             handedness: if about_largest { 1.0 } else { -1.0 },
         }
     }
@@ -100,19 +117,13 @@ impl StandardPosition {
         let pairs = [(0, 1, i21), (1, 2, i32), (0, 2, i31)];
         pairs.into_iter().all(|(i, j, difference)| is_zero(i) || is_zero(j) || difference.high == 0.0)
     }
-
-    /// The exponent that `M₁` and `M₃` share.
-    fn exponent_beside(&self) -> i32 {
-        let exponents = [self.momentum[0], self.momentum[2]].into_iter().filter(|m| m.value.high != 0.0).map(|m| m.exponent);
-        exponents.max().filter(|&exponent| exponent < FAR_BELOW).unwrap_or(0)
-    }
 }
 
 impl Orbit {
     /// The orbit of a start.
     pub(crate) fn new(start: &Start) -> Self {
         let position = StandardPosition::of(start);
-        let exponent = position.exponent_beside();
+        let exponent = position.exponent_beside;
         let beside = [0, 2].map(|i| position.momentum[i].in_unit(exponent).value());
         let plain = position.momentum.map(|m| m.in_unit(0));
         let momentum = DVec3::from_array(plain.map(DoubleDouble::value));

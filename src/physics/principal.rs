@@ -153,6 +153,15 @@ impl Principal {
         })
     }
 
+    /// A principal moment in the unit of the others, however small beside them.
+    pub(crate) fn wide_moment(&self, i: usize) -> Wide {
+        if self.moments[i].high > 1e-200 {
+            return Wide::new(self.moments[i], 0);
+        }
+        let moment = Wide::from(self.rounded_moments[i]);
+        Wide { exponent: moment.exponent - self.exponent, ..moment }
+    }
+
     /// The principal moments without rounding, in a unit of their own.
     pub(crate) fn exact_moments(&self) -> [Dyadic; 3] {
         match self.given {

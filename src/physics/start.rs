@@ -37,8 +37,6 @@ impl Start {
     /// The start of a body.
     pub(crate) fn new(body: &Body, state: &State) -> Self {
         let principal = body.principal();
-        let least = |x: DoubleDouble| if x.high < SMALLEST_RATIO { DoubleDouble::from(SMALLEST_RATIO) } else { x };
-        let moments = principal.moments.map(least);
         let origin = state.origin();
         let given = match origin {
             Origin::AngularVelocity(velocity) => along_axes(principal, velocity),
@@ -46,12 +44,13 @@ impl Start {
             Origin::Momentum => principal.components(state.body_momentum.to_array()),
         };
         let is_momentum = origin == Origin::Momentum;
-        let momentum = [0, 1, 2].map(|i| if is_momentum { given[i] } else { given[i] * moments[i] });
+        let momentum = [0, 1, 2].map(|i| if is_momentum { given[i] } else { given[i] * principal.wide_moment(i) });
+        let (moments, differences) = within_range(principal);
         let largest = momentum.iter().filter(|m| m.value.high != 0.0).map(|m| m.exponent).max().unwrap_or(0);
         let momentum = momentum.map(|m| Wide { exponent: m.exponent - largest, ..m });
         let mut start = Self {
             moments,
-            differences: principal.differences,
+            differences,
             momentum,
             difference: Wide::ZERO,
             moment_exponent: principal.exponent,
@@ -126,6 +125,16 @@ impl Start {
         let third = m1 * (i31 / i1) + m2 * (i32 / i2);
         if all.value.high == 0.0 { Wide::ZERO } else { -(all / (first * third)) }
     }
+}
+
+/// Moments and their differences, none further apart than [`SMALLEST_RATIO`].
+fn within_range(principal: &Principal) -> ([DoubleDouble; 3], [DoubleDouble; 3]) {
+    if principal.moments[0].high >= SMALLEST_RATIO {
+        return (principal.moments, principal.differences);
+    }
+    let least = |x: DoubleDouble| if x.high < SMALLEST_RATIO { DoubleDouble::from(SMALLEST_RATIO) } else { x };
+    let [i1, i2, i3] = principal.moments.map(least);
+    ([i1, i2, i3], [i2 - i1, i3 - i1, i3 - i2])
 }
 
 /// The components of an angular velocity along the principal axes. Close to one of them, those along the others come from

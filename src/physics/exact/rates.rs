@@ -17,9 +17,11 @@ pub(crate) fn rates(orbit: &Orbit) -> (DoubleDouble, DoubleDouble) {
     let [i1, i2, _] = orbit.exact_moments;
     let [_, i31, i32] = orbit.differences;
     let one = DoubleDouble::from(1.0);
-    let pole = (i2 * i31 / (i1 * i32)).sqrt() * orbit.rate;
-    let mut means = Means { a: orbit.rate, pole, alpha: one / i1, beta: pole / i2 };
-    let mut g = orbit.complementary_rate;
+    // In units of λ, that is of a power of two near it.
+    let rate = Wide::new(orbit.rate, 0);
+    let pole = (i2 * i31 / (i1 * i32)).sqrt() * rate.value;
+    let mut means = Means { a: rate.value, pole, alpha: one / i1, beta: pole / i2 };
+    let mut g = Wide { exponent: orbit.complementary_rate.exponent - rate.exponent, ..orbit.complementary_rate };
     while g.exponent < FAR_BELOW {
         let product = Wide::new(means.a, 0) * g;
         means.advance(DoubleDouble::ZERO, product.in_unit(0));
@@ -39,7 +41,8 @@ pub(crate) fn rates(orbit: &Orbit) -> (DoubleDouble, DoubleDouble) {
     }
     let Means { a, pole, alpha, beta } = means;
     let precession = orbit.ell * ((alpha * a + beta) / (a + pole));
-    (a, if orbit.handedness > 0.0 { precession - a } else { precession + a })
+    let phase_rate = Wide { value: a, ..rate }.in_unit(0);
+    (phase_rate, if orbit.handedness > 0.0 { precession - phase_rate } else { precession + phase_rate })
 }
 
 /// `⟨(α cn² + …)⟩ = (αa + β)/(a + pole)` at the end.
