@@ -89,8 +89,9 @@ fn exact_step_as_far_as_steps_can_be_counted() {
 /// The next flip is that of the motion, not that of its rounded momentum.
 #[test]
 fn flips_are_those_of_the_motion() {
-    let body = Body::from_moments(DVec3::new(0.683_746_691_970_283_7, 1.218_728_978_221_389_5, 1.382_707_716_141_862_8))
-        .expect("a body");
+    let body =
+        Body::from_moments(DVec3::new(0.683_746_691_970_283_7, 1.218_728_978_221_389_5, 1.382_707_716_141_862_8))
+            .expect("a body");
     let velocity = DVec3::new(0.573_911_798_045_180_9, -0.285_087_802_457_204_33, 0.728_959_684_445_803_3);
     let start = State::new(&body, DMat3::IDENTITY, velocity);
     let period = flip_period_of(&body, &start).expect("it flips");

@@ -82,8 +82,8 @@ impl DoubleDouble {
         let product = Self::product(self.high, factor);
         let low = beyond_whole(product.low + self.low * factor);
         let sum = Self::sum(beyond_whole(product.high), other.high) + Self::sum(low, other.low);
-        let halves = (2.0 * sum.high).round();
-        ((sum.high - 0.5 * halves) + sum.low, halves.abs() % 2.0 == 1.0)
+        let halves = 2.0 * sum.high - beyond_whole(2.0 * sum.high);
+        ((sum.high - 0.5 * halves) + sum.low, beyond_whole(0.5 * halves) != 0.0)
     }
 }
 

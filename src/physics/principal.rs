@@ -71,8 +71,10 @@ impl Principal {
         // The mass first, lest a square leave the range that the moment itself is in.
         let [a2, b2, c2] = given.map(|edge| (mass / 12.0) * edge * edge);
         let factor = DoubleDouble::from(in_unit(mass, weight)) / DoubleDouble::from(12.0);
-        let pair = |i: usize, j: usize| DoubleDouble::product(edges[i], edges[i]) + DoubleDouble::product(edges[j], edges[j]);
-        let difference = |i: usize, j: usize| DoubleDouble::sum(edges[i], -edges[j]) * DoubleDouble::sum(edges[i], edges[j]);
+        let pair =
+            |i: usize, j: usize| DoubleDouble::product(edges[i], edges[i]) + DoubleDouble::product(edges[j], edges[j]);
+        let difference =
+            |i: usize, j: usize| DoubleDouble::sum(edges[i], -edges[j]) * DoubleDouble::sum(edges[i], edges[j]);
         let largest = Wide::new(pair(0, 1) * factor, 2 * length + weight);
         let unit = largest.exponent - 2 * length - weight;
         let [first, second] = power_of_two_of(-unit);
@@ -115,7 +117,9 @@ impl Principal {
         Self {
             moments: moments.each_ref().map(wide),
             // A moment whose ratio to the others is beyond all measure is still above 0.
-            rounded_moments: DVec3::from_array(moments.each_ref().map(|moment| moment.scaled(exponent).value().max(5e-324))),
+            rounded_moments: DVec3::from_array(
+                moments.each_ref().map(|moment| moment.scaled(exponent).value().max(5e-324)),
+            ),
             differences: [difference(0, 1), difference(0, 2), difference(1, 2)],
             exponent: exponent + own,
             axes: right_handed(axes),

@@ -268,10 +268,10 @@ fn turns_beyond_half(rate: DoubleDouble, time: f64, start: DoubleDouble) -> (f64
     rate.beyond_half(if is_lost { 0.0 } else { time }, start)
 }
 
-/// `λt + u₀` where it matters, which is near 0, with an error of some ε there.
+/// `λt + u₀`. A start far from the flip wants more digits of it than f64 has; beyond some 700 on either side nothing is left of the flip.
 fn hyperbolic_phase(rate: DoubleDouble, time: f64, start: DoubleDouble) -> f64 {
     let rough = rate.high * time;
-    if rough.abs() > 1e4 { rough } else { (rate * time + start).value() }
+    if start.high.abs() < 16.0 || rough.abs() > 1e4 { rough + start.high } else { (rate * time + start).value() }
 }
 
 /// `(−1)ⁿ q^(2n²)` times `sinh 2ny` and `cosh 2ny`, `y = πη/2K`.

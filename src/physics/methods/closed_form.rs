@@ -35,11 +35,7 @@ struct ClosedForm {
 impl ClosedForm {
     fn new(problem: &Problem) -> Self {
         let orbit = Orbit::new(&problem.start);
-        Self {
-            path: Path::new(&orbit),
-            principal_from_standard: orbit.principal_from_standard,
-            time: 0.0,
-        }
+        Self { path: Path::new(&orbit), principal_from_standard: orbit.principal_from_standard, time: 0.0 }
     }
 
     fn at(&self, time: f64) -> (DMat3, DVec3) {
