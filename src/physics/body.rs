@@ -2,6 +2,10 @@
 
 use glam::{DMat3, DVec3};
 
+use super::double_double::power_of_two_of;
+use super::dyadic::Dyadic;
+use super::principal::{self, Principal, Tensor};
+
 /// A body's inertia (kg m²) about its centre of mass, with the principal moments `I₁ ≤ I₂ ≤ I₃` and axes.
 ///
 /// Always valid: every entry finite, the tensor symmetric and positive definite.
@@ -10,6 +14,8 @@ pub struct Body {
     inertia: DMat3,
     principal_moments: DVec3,
     axes: DMat3,
+    /// Moments and axes with all the digits that a long time asks for.
+    principal: Principal,
 }
 
 /// Why no body has the inertia that was asked for.
@@ -52,7 +58,9 @@ impl Body {
         }
         // The mass first, lest a square leave the range that the moment itself is in.
         let squared = (mass / 12.0) * edges * edges;
-        Self::from_moments(DVec3::new(squared.y + squared.z, squared.z + squared.x, squared.x + squared.y))
+        let moments = DVec3::new(squared.y + squared.z, squared.z + squared.x, squared.x + squared.y);
+        check_moments(moments)?;
+        Ok(Self::from_principal(DMat3::from_diagonal(moments), Principal::from_edges(edges.to_array(), mass)))
     }
 
     /// A body whose own axes are principal axes, moments (kg m²) in the order of the axes, sorted or not.
@@ -60,21 +68,15 @@ impl Body {
     /// # Errors
     /// A moment that is not finite and positive.
     pub fn from_moments(moments: DVec3) -> Result<Self, BodyError> {
-        for moment in moments.to_array() {
-            if !(moment.is_finite() && moment > 0.0) {
-                return Err(BodyError::Moment(moment));
-            }
-        }
-        let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-        Ok(Self::from_principal(DMat3::from_diagonal(moments), moments.to_array(), axes))
+        check_moments(moments)?;
+        Ok(Self::from_principal(DMat3::from_diagonal(moments), Principal::from_moments(moments.to_array())))
     }
 
-    /// A body with a full inertia tensor (kg m²) in the body frame; its principal axes are found by Jacobi rotations.
+    /// A body with a full inertia tensor (kg m²) in the body frame; its principal axes are found by Jacobi rotations, to 106 bits.
     ///
     /// # Errors
     /// An entry that is not finite, mirrored entries that differ by more than rounding (8ε of the largest entry),
-    /// a tensor that is not positive definite (smallest eigenvalue not above the eigenvalues' own rounding error,
-    /// 8ε of the largest entry).
+    /// a tensor that is not positive definite, which is decided without rounding.
     pub fn from_tensor(inertia: DMat3) -> Result<Self, BodyError> {
         let entries = inertia.to_cols_array();
         if let Some(&entry) = entries.iter().find(|entry| !entry.is_finite()) {
@@ -87,35 +89,49 @@ impl Body {
                 return Err(BodyError::NotSymmetric(*a, b));
             }
         }
-        let inertia = 0.5 * inertia + 0.5 * mirrored;
-        let off_diagonal = [inertia.y_axis.x, inertia.z_axis.x, inertia.z_axis.y];
-        let diagonal = DVec3::new(inertia.x_axis.x, inertia.y_axis.y, inertia.z_axis.z);
-        if off_diagonal == [0.0; 3] {
+        // The mean of two equal entries is that entry, were it the smallest number there is.
+        let [x, y, z] = [0, 1, 2].map(|i| inertia.col(i));
+        let mean = |a: f64, b: f64| if a == b { a } else { 0.5 * a + 0.5 * b };
+        let (xy, xz, yz) = (mean(x.y, y.x), mean(x.z, z.x), mean(y.z, z.y));
+        let inertia = DMat3::from_cols(DVec3::new(x.x, xy, xz), DVec3::new(xy, y.y, yz), DVec3::new(xz, yz, z.z));
+        if [xy, xz, yz] == [0.0; 3] {
+            let diagonal = DVec3::new(x.x, y.y, z.z);
             if diagonal.min_element() <= 0.0 {
                 return Err(BodyError::NotPositiveDefinite(diagonal.min_element()));
             }
             return Self::from_moments(diagonal);
         }
-        // Scaled by the largest entry, so that no square overflows.
-        let (moments, axes) = symmetric_eigen(inertia * (1.0 / largest));
-        let smallest = moments.iter().copied().fold(f64::MAX, f64::min);
-        if smallest <= 8.0 * f64::EPSILON {
-            return Err(BodyError::NotPositiveDefinite(smallest * largest));
-        }
-        Ok(Self::from_principal(inertia, moments.map(|moment| moment * largest), axes))
+        Self::from_exact_tensor(inertia, &[x.x, y.y, z.z, xy, xz, yz].map(Dyadic::from))
     }
 
-    /// Sorts the principal moments, keeping the axes right-handed.
-    fn from_principal(inertia: DMat3, moments: [f64; 3], axes: [DVec3; 3]) -> Self {
-        let mut order = [0, 1, 2];
-        order.sort_by(|&a, &b| moments[a].total_cmp(&moments[b]));
-        let [first, second, third] = order.map(|i| axes[i]);
-        let third = if first.cross(second).dot(third) < 0.0 { -third } else { third };
-        Self {
-            inertia,
-            principal_moments: DVec3::from_array(order.map(|i| moments[i])),
-            axes: DMat3::from_cols(first, second, third),
+    /// A body with a tensor of which the first one is what is left after rounding.
+    pub(super) fn from_exact_tensor(inertia: DMat3, exact: &Tensor) -> Result<Self, BodyError> {
+        if !principal::is_positive_definite(exact) {
+            // Scaled by the largest entry, so that no square overflows.
+            let largest = inertia.to_cols_array().iter().fold(f64::MIN_POSITIVE, |m: f64, e| m.max(e.abs()));
+            let (moments, _) = symmetric_eigen(inertia * (1.0 / largest));
+            let smallest = moments.iter().copied().fold(f64::MAX, f64::min);
+            return Err(BodyError::NotPositiveDefinite(smallest.min(0.0) * largest));
         }
+        let body = Self::from_principal(inertia, Principal::from_tensor(exact));
+        check_moments(body.principal_moments)?;
+        Ok(body)
+    }
+
+    fn from_principal(inertia: DMat3, principal: Principal) -> Self {
+        let (principal_moments, axes) = (principal.rounded_moments, principal.rounded_axes());
+        Self { inertia, principal_moments, axes, principal }
+    }
+
+    /// Moments and axes to 106 bits.
+    pub(crate) fn principal(&self) -> &Principal {
+        &self.principal
+    }
+
+    /// `I₂ − I₁`, `I₃ − I₁`, `I₃ − I₂` (kg m²), each with all its digits.
+    pub(crate) fn moment_differences(&self) -> [f64; 3] {
+        let [first, second] = power_of_two_of(self.principal.exponent);
+        self.principal.differences.map(|difference| difference.value() * first * second)
     }
 
     /// The inertia tensor in the body frame (kg m²).
@@ -141,19 +157,6 @@ impl Body {
     #[must_use]
     pub fn momentum(&self, body_angular_velocity: DVec3) -> DVec3 {
         self.inertia * body_angular_velocity
-    }
-
-    /// `IΩ − M` for the rounded momentum `M` of a body angular velocity, where the body's own axes are principal;
-    /// elsewhere the principal axes themselves are rounded, and nothing is gained.
-    pub(crate) fn momentum_tail(&self, body_angular_velocity: DVec3, body_momentum: DVec3) -> DVec3 {
-        let off_diagonal = [self.inertia.y_axis.x, self.inertia.z_axis.x, self.inertia.z_axis.y];
-        if off_diagonal != [0.0; 3] {
-            return DVec3::ZERO;
-        }
-        let diagonal = DVec3::new(self.inertia.x_axis.x, self.inertia.y_axis.y, self.inertia.z_axis.z);
-        // One rounding at the end of the fused product: exact but where it underflows.
-        let tail = |i: usize| diagonal[i].mul_add(body_angular_velocity[i], -body_momentum[i]);
-        DVec3::new(tail(0), tail(1), tail(2))
     }
 
     /// Body angular velocity `Ω = I⁻¹M` (rad/s) of a body momentum, by the principal axes (no 3×3 inverse).
@@ -189,9 +192,14 @@ impl Body {
     }
 }
 
+fn check_moments(moments: DVec3) -> Result<(), BodyError> {
+    let wrong = moments.to_array().into_iter().find(|moment| !(moment.is_finite() && *moment > 0.0));
+    wrong.map_or(Ok(()), |moment| Err(BodyError::Moment(moment)))
+}
+
 /// Eigenvalues and orthonormal eigenvectors of a symmetric matrix, by cyclic Jacobi rotations: each turns one
 /// off-diagonal entry to zero; convergence is quadratic, five sweeps reach rounding (Golub & Van Loan, §8.5).
-fn symmetric_eigen(matrix: DMat3) -> ([f64; 3], [DVec3; 3]) {
+pub(super) fn symmetric_eigen(matrix: DMat3) -> ([f64; 3], [DVec3; 3]) {
     let mut a: [[f64; 3]; 3] = matrix.to_cols_array_2d();
     let mut v = [DVec3::X, DVec3::Y, DVec3::Z];
     for _sweep in 0..12 {
@@ -200,7 +208,7 @@ fn symmetric_eigen(matrix: DMat3) -> ([f64; 3], [DVec3; 3]) {
                 continue;
             }
             let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-            let t = theta.signum() / (theta.abs() + theta.hypot(1.0));
+            let t = 1f64.copysign(theta) / (theta.abs() + theta.hypot(1.0));
             let c = 1.0 / t.hypot(1.0);
             let s = t * c;
             let apq = a[p][q];

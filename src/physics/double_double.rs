@@ -16,6 +16,9 @@ pub(crate) struct DoubleDouble {
 /// π to 107 bits.
 pub(crate) const PI: DoubleDouble = DoubleDouble { high: std::f64::consts::PI, low: 1.224_646_799_147_353_2e-16 };
 
+/// ln 2 to 107 bits.
+pub(crate) const LN_2: DoubleDouble = DoubleDouble { high: std::f64::consts::LN_2, low: 2.319_046_813_846_299_6e-17 };
+
 impl DoubleDouble {
     pub(crate) const ZERO: Self = Self { high: 0.0, low: 0.0 };
 
@@ -27,7 +30,7 @@ impl DoubleDouble {
     }
 
     /// `a + b` without error, given `|a| ≥ |b|`.
-    fn quick_sum(a: f64, b: f64) -> Self {
+    pub(crate) fn quick_sum(a: f64, b: f64) -> Self {
         let high = a + b;
         Self { high, low: b - (high - a) }
     }
@@ -51,6 +54,11 @@ impl DoubleDouble {
         Self::quick_sum(root, residual.high / (2.0 * root))
     }
 
+    /// Its square.
+    pub(crate) fn squared(self) -> Self {
+        self * self
+    }
+
     /// The nearest f64.
     pub(crate) fn value(self) -> f64 {
         self.high + self.low
@@ -66,6 +74,16 @@ impl DoubleDouble {
         let product = Self::product(self.high, factor);
         let low = product.low + self.low * factor;
         beyond_whole(beyond_whole(product.high) + beyond_whole(low))
+    }
+
+    /// The part of `self × factor + other` beyond the nearest multiple of ½, and whether that is an odd one: with all
+    /// the digits that a small part has.
+    pub(crate) fn beyond_half(self, factor: f64, other: Self) -> (f64, bool) {
+        let product = Self::product(self.high, factor);
+        let low = beyond_whole(product.low + self.low * factor);
+        let sum = Self::sum(beyond_whole(product.high), other.high) + Self::sum(low, other.low);
+        let halves = 2.0 * sum.high - beyond_whole(2.0 * sum.high);
+        ((sum.high - 0.5 * halves) + sum.low, beyond_whole(0.5 * halves) != 0.0)
     }
 }
 
@@ -136,5 +154,119 @@ impl Div for DoubleDouble {
         let quotient = self.high / other.high;
         let residual = self - other * quotient;
         Self::quick_sum(quotient, residual.high / other.high)
+    }
+}
+
+/// The exponent of the power of two at or below the size of a number that is not 0; also of a denormal one.
+pub(crate) fn exponent_of(x: f64) -> i32 {
+    let biased = |x: f64| (x.to_bits() >> 52 & 0x7ff) as i32;
+    if biased(x) == 0 { biased(x * 2f64.powi(64)) - 64 - 1023 } else { biased(x) - 1023 }
+}
+
+/// Two powers of two whose product is `2^exponent`, which itself may be out of the range of f64.
+pub(crate) fn power_of_two_of(exponent: i32) -> [f64; 2] {
+    let power = |e: i32| f64::from_bits(u64::from((e.clamp(-1022, 1023) + 1023).unsigned_abs()) << 52);
+    let half = exponent.div_euclid(2);
+    [power(half), power(exponent - half)]
+}
+
+/// A double-double with an exponent of its own: `value × 2^exponent`, `1 ≤ |value| < 2`, or 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Wide {
+    pub(crate) value: DoubleDouble,
+    pub(crate) exponent: i32,
+}
+
+impl Wide {
+    pub(crate) const ZERO: Self = Self { value: DoubleDouble::ZERO, exponent: 0 };
+
+    /// `value × 2^exponent`.
+    pub(crate) fn new(value: DoubleDouble, exponent: i32) -> Self {
+        if value.high == 0.0 {
+            return Self::ZERO;
+        }
+        let own = exponent_of(value.high);
+        if own == 0 {
+            return Self { value, exponent };
+        }
+        let [first, second] = power_of_two_of(-own);
+        Self { value: value.scaled(first).scaled(second), exponent: exponent + own }
+    }
+
+    /// As a double-double times `2^exponent`; too small a number becomes 0.
+    pub(crate) fn in_unit(self, exponent: i32) -> DoubleDouble {
+        match self.exponent - exponent {
+            0 => self.value,
+            shift => {
+                let [first, second] = power_of_two_of(shift.clamp(-2044, 2046));
+                self.value.scaled(first).scaled(second)
+            }
+        }
+    }
+
+    /// The logarithm of a number that is not negative.
+    pub(crate) fn logarithm(self) -> f64 {
+        self.value.value().ln() + f64::from(self.exponent) * std::f64::consts::LN_2
+    }
+
+    /// The square root of a number that is not negative.
+    pub(crate) fn sqrt(self) -> Self {
+        let odd = self.exponent.rem_euclid(2);
+        Self::new(self.value.scaled(f64::from(1 + odd)).sqrt(), (self.exponent - odd) / 2)
+    }
+}
+
+impl From<f64> for Wide {
+    fn from(value: f64) -> Self {
+        Self::new(DoubleDouble::from(value), 0)
+    }
+}
+
+impl Neg for Wide {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { value: -self.value, ..self }
+    }
+}
+
+impl Add for Wide {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        if self.value.high == 0.0 {
+            return other;
+        }
+        if other.value.high == 0.0 {
+            return self;
+        }
+        let unit = self.exponent.max(other.exponent);
+        Self::new(self.in_unit(unit) + other.in_unit(unit), unit)
+    }
+}
+
+impl Sub for Wide {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + (-other)
+    }
+}
+
+impl Mul for Wide {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self::new(self.value * other.value, self.exponent + other.exponent)
+    }
+}
+
+impl Mul<DoubleDouble> for Wide {
+    type Output = Self;
+    fn mul(self, factor: DoubleDouble) -> Self {
+        Self::new(self.value * factor, self.exponent)
+    }
+}
+
+impl Div for Wide {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        Self::new(self.value / other.value, self.exponent - other.exponent)
     }
 }

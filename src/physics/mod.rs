@@ -5,14 +5,17 @@
 
 pub mod body;
 mod double_double;
+mod dyadic;
 pub mod elliptic;
 pub mod exact;
 pub mod methods;
 pub mod motion;
 mod orbit;
 pub mod poinsot;
+mod principal;
 pub mod so3;
 pub mod solids;
+mod start;
 
 pub use body::{Body, BodyError};
 pub use exact::Motion;

@@ -14,8 +14,19 @@ pub struct State {
     pub body_momentum: DVec3,
     /// World momentum `L = RM` (kg m²/s).
     pub world_momentum: DVec3,
-    /// What rounding cut off the body momentum, where it is known; the exact motion uses it over long times.
-    momentum_tail: DVec3,
+    /// The numbers that it was made of.
+    origin: Origin,
+}
+
+/// What a state was made from. The exact motion starts from that and not from the rounded momentum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Origin {
+    /// An angular velocity in the body frame (rad/s).
+    AngularVelocity(DVec3),
+    /// An angular velocity in the principal frame (rad/s).
+    PrincipalAngularVelocity(DVec3),
+    /// Its body momentum: nothing more is known.
+    Momentum,
 }
 
 impl State {
@@ -23,18 +34,27 @@ impl State {
     #[must_use]
     pub fn new(body: &Body, world_from_body: DMat3, body_angular_velocity: DVec3) -> Self {
         let body_momentum = body.momentum(body_angular_velocity);
-        let momentum_tail = body.momentum_tail(body_angular_velocity, body_momentum);
-        Self { world_from_body, body_momentum, world_momentum: world_from_body * body_momentum, momentum_tail }
+        let origin = Origin::AngularVelocity(body_angular_velocity);
+        Self { world_from_body, body_momentum, world_momentum: world_from_body * body_momentum, origin }
+    }
+
+    /// The state with this attitude (a rotation) and an angular velocity (rad/s) along the principal axes 1, 2, 3. It is exact in their
+    /// frame, also where they are turned: a spin about an axis stays about that axis for ever.
+    #[must_use]
+    pub fn in_principal_frame(body: &Body, world_from_body: DMat3, angular_velocity: DVec3) -> Self {
+        let body_momentum = body.body_from_principal() * (body.principal_moments() * angular_velocity);
+        let origin = Origin::PrincipalAngularVelocity(angular_velocity);
+        Self { world_from_body, body_momentum, world_momentum: world_from_body * body_momentum, origin }
     }
 
     /// The state of a body that a method has moved.
     pub(crate) fn from_parts(world_from_body: DMat3, body_momentum: DVec3, world_momentum: DVec3) -> Self {
-        Self { world_from_body, body_momentum, world_momentum, momentum_tail: DVec3::ZERO }
+        Self { world_from_body, body_momentum, world_momentum, origin: Origin::Momentum }
     }
 
-    /// `IΩ − M`, the rounding of the body momentum: zero but in a state made by [`State::new`].
-    pub(crate) fn momentum_tail(&self) -> DVec3 {
-        self.momentum_tail
+    /// The numbers that it was made of.
+    pub(crate) fn origin(&self) -> Origin {
+        self.origin
     }
 
     /// Body angular velocity `Ω = I⁻¹M` (rad/s).

@@ -4,14 +4,15 @@
 //! `M₃ > 0` and starts with `M₁ ≥ 0`. Then `M = (B₁ cn u, s₂B₂ sn u, B₃ dn u)` with `u = λt + u₀`. After
 //! relabelling `I₁ < I₂ < I₃` or `I₁ > I₂ > I₃`; only the sizes of the differences enter here, and `s₂` is the sign.
 //! Every quantity is a sum or a product of positive terms but for one difference, `Δ₂`, which decides between
-//! the two families of orbits; that one is taken in double-double.
-
-use std::f64::consts::FRAC_PI_2;
+//! the two families of orbits; that one comes with the [start](super::start), exactly.
 
 use glam::{DMat3, DVec3};
 
-use super::double_double::DoubleDouble;
-use super::{Body, elliptic};
+use super::Body;
+use super::double_double::{self, DoubleDouble, Wide, power_of_two_of};
+use super::elliptic;
+use super::exact::rates;
+use super::start::Start;
 
 /// What the momentum does on its sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,8 +32,13 @@ pub(crate) struct Orbit {
     /// Takes components in standard position to principal components: a signed permutation.
     pub(crate) principal_from_standard: DMat3,
     pub(crate) moments: DVec3,
+    pub(crate) exact_moments: [DoubleDouble; 3],
+    /// The sizes of `I₂−I₁`, `I₃−I₁`, `I₃−I₂`.
+    pub(crate) differences: [DoubleDouble; 3],
     /// The momentum at the start.
     pub(crate) momentum: DVec3,
+    /// `M₁` and `M₃` over a power of two, `2^beside.1`, that keeps their digits however close to the middle axis they are.
+    pub(crate) beside: ([f64; 2], i32),
     /// `ℓ = |M|`.
     pub(crate) ell: DoubleDouble,
     /// `B₁, B₂, B₃`.
@@ -42,180 +48,221 @@ pub(crate) struct Orbit {
     /// `λ`, the rate of u.
     pub(crate) rate: DoubleDouble,
     /// `λk′`.
-    pub(crate) complementary_rate: DoubleDouble,
+    pub(crate) complementary_rate: Wide,
     /// The modulus `k` and the complementary modulus `k′`, each from its own product.
     pub(crate) modulus: f64,
     pub(crate) complementary_modulus: f64,
-    /// The units; that of time is their quotient, which may be out of the range of f64.
-    pub(crate) moment_unit: f64,
-    pub(crate) momentum_unit: f64,
+    /// Exponents of the units, which may be out of the range of f64.
+    pub(crate) moment_exponent: i32,
+    pub(crate) rate_exponent: i32,
 }
 
-/// Moments further apart than this are taken as this far apart, so that no product here leaves the range of f64: `2⁻¹⁸⁰`.
-const SMALLEST_RATIO: f64 = 6.525_304_467_998_525e-55;
+/// Components this far, in powers of two, below the momentum have an exponent of their own.
+const FAR_BELOW: i32 = -300;
 
-/// Components of the momentum below this share of it are taken as 0.
-const SMALLEST_SHARE: f64 = 1e-280;
+/// And those this far below it, or below their own exponent, are as good as 0.
+const NOTHING: i32 = -900;
 
-/// Two powers of two whose product is `a/b`, for powers of two a and b: the quotient itself may be out of range.
-pub(crate) fn split_quotient(a: f64, b: f64) -> [f64; 2] {
-    let exponent = |x: f64| (x.to_bits() >> 52).cast_signed() - 1023;
-    let power = |e: i64| f64::from_bits((e.clamp(-1022, 1023) + 1023).cast_unsigned() << 52);
-    let whole = exponent(a) - exponent(b);
-    let half = whole.div_euclid(2);
-    [power(half), power(whole - half)]
+/// Below this `k′` the functions differ from their limits by less than `k′² ln k′`: nothing.
+const SMALL_COMPLEMENT: f64 = 1e-9;
+
+/// A start whose axes are so named that it circles axis 3.
+struct StandardPosition {
+    principal_from_standard: DMat3,
+    moments: [DoubleDouble; 3],
+    differences: [DoubleDouble; 3],
+    momentum: [Wide; 3],
+    /// The exponent that `M₁` and `M₃` share.
+    exponent_beside: i32,
+    handedness: f64,
 }
 
-/// The power of two at or below a positive number.
-pub(crate) fn power_of_two(x: f64) -> f64 {
-    f64::from_bits(x.max(f64::MIN_POSITIVE).to_bits() & 0x7ff0_0000_0000_0000)
-}
+impl StandardPosition {
+    fn of(start: &Start) -> Self {
+        let about_largest = start.difference.value.high >= 0.0;
+        let (order, mut signs) = if about_largest { ([0, 1, 2], [1.0; 3]) } else { ([2, 1, 0], [1.0, -1.0, 1.0]) };
+        if start.momentum[order[2]].value.high < 0.0 {
+            signs = [signs[0], -signs[1], -signs[2]];
+        }
+        if start.momentum[order[0]].value.high < 0.0 {
+            signs = [-signs[0], -signs[1], signs[2]];
+        }
+        let column = |i: usize| DVec3::AXES[order[i]] * signs[i];
+        let [i21, i31, i32] = start.differences;
+        let mut momentum = order.map(|i| start.momentum[i]);
+        for (m, sign) in momentum.iter_mut().zip(signs) {
+            *m = if sign < 0.0 { -*m } else { *m };
+        }
+        // The two beside the middle axis share an exponent where both are small.
+        let exponents = [momentum[0], momentum[2]].into_iter().filter(|m| m.value.high != 0.0).map(|m| m.exponent);
+        let exponent_beside = exponents.max().filter(|&exponent| exponent < FAR_BELOW).unwrap_or(0);
+        for (i, m) in momentum.iter_mut().enumerate() {
+            let unit = if i == 1 { 0 } else { exponent_beside };
+            *m = if m.exponent < unit + NOTHING { Wide::ZERO } else { *m };
+        }
+        Self {
+            principal_from_standard: DMat3::from_cols(column(0), column(1), column(2)),
+            moments: order.map(|i| start.moments[i]),
+            differences: if about_largest { [i21, i31, i32] } else { [i32, i31, i21] },
+            momentum,
+            exponent_beside,
+            handedness: if about_largest { 1.0 } else { -1.0 },
+        }
+    }
 
-/// Exactly `√(a²f + b²g)` for `f, g ≥ 0`, at any size of a and b.
-fn weighted_length(a: DoubleDouble, f: DoubleDouble, b: DoubleDouble, g: DoubleDouble) -> DoubleDouble {
-    let unit = power_of_two(a.high.abs().max(b.high.abs()));
-    let (a, b) = (a.scaled(unit.recip()), b.scaled(unit.recip()));
-    (a * a * f + b * b * g).sqrt().scaled(unit)
+    /// Whether `M × Ω = 0`: it has the components `M_i M_j (1/I_j − 1/I_i)`; the products themselves may underflow.
+    fn is_steady(&self) -> bool {
+        let is_zero = |i: usize| self.momentum[i].value.high == 0.0;
+        let [i21, i31, i32] = self.differences;
+        let pairs = [(0, 1, i21), (1, 2, i32), (0, 2, i31)];
+        pairs.into_iter().all(|(i, j, difference)| is_zero(i) || is_zero(j) || difference.high == 0.0)
+    }
 }
 
 impl Orbit {
-    /// The orbit of a momentum (kg m²/s, principal components, as a sum of two f64) under principal moments (ascending).
-    pub(crate) fn new(moments: DVec3, momentum: DVec3, momentum_tail: DVec3) -> Self {
-        let moment_unit = power_of_two(moments.z);
-        let momentum_unit = power_of_two(momentum.abs().max_element());
-        let moments = (moments / moment_unit).max(DVec3::splat(SMALLEST_RATIO));
-        // A share this small moves nothing else, and its products would leave the range of f64.
-        let momentum = (momentum / momentum_unit).map(|m| if m.abs() < SMALLEST_SHARE { 0.0 } else { m });
-        let tail = momentum_tail / momentum_unit;
-        let pair = |i: usize| DoubleDouble::sum(momentum[i], tail[i]);
-
-        // Δ₂ = M₃²(I₃−I₂)/I₃ − M₁²(I₂−I₁)/I₁, times I₁I₃.
-        let unit = power_of_two(momentum.x.abs().max(momentum.z.abs()));
-        let (m1, m3) = (pair(0).scaled(unit.recip()), pair(2).scaled(unit.recip()));
-        let difference = m3 * m3 * DoubleDouble::sum(moments.z, -moments.y) * moments.x
-            - m1 * m1 * DoubleDouble::sum(moments.y, -moments.x) * moments.z;
-        let about_largest = difference.high >= 0.0;
-
-        // Signed permutations into standard position; each column is a principal axis.
-        let mut axes = if about_largest { [DVec3::X, DVec3::Y, DVec3::Z] } else { [DVec3::Z, DVec3::NEG_Y, DVec3::X] };
-        if axes[2].dot(momentum) < 0.0 {
-            axes = [axes[0], -axes[1], -axes[2]];
-        }
-        if axes[0].dot(momentum) < 0.0 {
-            axes = [-axes[0], -axes[1], axes[2]];
-        }
-        let principal_from_standard = DMat3::from_cols(axes[0], axes[1], axes[2]);
-        let orbit_from_principal = principal_from_standard.transpose();
-        let moments = if about_largest { moments } else { DVec3::new(moments.z, moments.y, moments.x) };
-        let momentum = orbit_from_principal * momentum;
-        let tail = orbit_from_principal * tail;
-        let [m1, m2, m3] = [0, 1, 2].map(|i| DoubleDouble::sum(momentum[i], tail[i]));
-
-        let one = DoubleDouble::from(1.0);
-        let ell = weighted_length(weighted_length(m1, one, m2, one), one, m3, one);
-        let [i1, i2, i3] = moments.to_array().map(DoubleDouble::from);
-        let size = |a: f64, b: f64| DoubleDouble::sum(a.max(b), -a.min(b));
-        let i21 = size(moments.y, moments.x);
-        let i31 = size(moments.z, moments.x);
-        let i32 = size(moments.z, moments.y);
-
-        // (M × Ω) has the components M_i M_j (1/I_j − 1/I_i); the products themselves may underflow.
-        let is_pair_steady = |i: usize, j: usize| momentum[i] == 0.0 || momentum[j] == 0.0 || moments[i] == moments[j];
-        let mut kind = if is_pair_steady(0, 1) && is_pair_steady(1, 2) && is_pair_steady(0, 2) {
-            Kind::Steady
-        } else if difference.high == 0.0 {
-            Kind::Separatrix
-        } else {
-            Kind::Circling
-        };
-
+    /// The orbit of a start.
+    pub(crate) fn new(start: &Start) -> Self {
+        let position = StandardPosition::of(start);
+        let exponent = position.exponent_beside;
+        let beside = [0, 2].map(|i| position.momentum[i].in_unit(exponent).value());
+        let plain = position.momentum.map(|m| m.in_unit(0));
+        let momentum = DVec3::from_array(plain.map(DoubleDouble::value));
         let mut orbit = Self {
-            kind,
-            principal_from_standard,
-            moments,
+            kind: Kind::Steady,
+            principal_from_standard: position.principal_from_standard,
+            moments: DVec3::from_array(position.moments.map(DoubleDouble::value)),
+            exact_moments: position.moments,
+            differences: position.differences,
             momentum,
-            ell,
+            beside: (beside, exponent),
+            ell: (plain[0].squared() + plain[1].squared() + plain[2].squared()).sqrt(),
             amplitudes: momentum,
-            handedness: if about_largest { 1.0 } else { -1.0 },
+            handedness: position.handedness,
             rate: DoubleDouble::ZERO,
-            complementary_rate: DoubleDouble::ZERO,
+            complementary_rate: Wide::ZERO,
             modulus: 0.0,
             complementary_modulus: 1.0,
-            moment_unit,
-            momentum_unit,
+            moment_exponent: start.moment_exponent,
+            rate_exponent: start.rate_exponent,
         };
-        if kind == Kind::Steady {
-            return orbit;
+        if !position.is_steady() {
+            orbit.set_rates(&position.momentum, start.difference);
         }
-
-        // λ² = Δ₁(I₃−I₂)/(I₁I₂I₃), (λk′)² = Δ₂(I₃−I₁)/(I₁I₂I₃), (λk)² = −Δ₃(I₂−I₁)/(I₁I₂I₃).
-        let common = i32 / (i1 * i3);
-        let rate = weighted_length(m2, i21 / i2 * common / i2, m3, i31 / i3 * common / i2);
-        let complementary_rate =
-            (if about_largest { difference } else { -difference } * i31 / (i1 * i2) / (i1 * i3) / i3)
-                .sqrt()
-                .scaled(unit);
-        let root = |x: DoubleDouble| x.value().max(0.0).sqrt();
-        let over = root(i21) / moments.y.sqrt() / root(i1 * i3);
-        let modulus_rate = (momentum.x * root(i31 / i1) * over).hypot(momentum.y * root(i32 / i2) * over);
-        let is_usable = rate.high > 0.0 && rate.high.is_finite();
-        if !is_usable {
-            orbit.kind = Kind::Steady;
-            return orbit;
+        if orbit.kind != Kind::Steady {
+            orbit.set_amplitudes();
         }
-        orbit.rate = rate;
-        orbit.complementary_rate = complementary_rate;
-        orbit.modulus = (modulus_rate / rate.high).min(1.0);
-        orbit.complementary_modulus = (complementary_rate.high / rate.high).min(1.0);
-        if orbit.complementary_modulus == 0.0 {
-            kind = Kind::Separatrix;
-            orbit.kind = kind;
-        }
-
-        // B₂/B₁ = √(I₂(I₃−I₁)/(I₁(I₃−I₂))).
-        let ratio = root(i2 / i1 * (i31 / i32));
-        orbit.amplitudes = DVec3::new(
-            momentum.x.hypot(momentum.y / ratio),
-            momentum.y.hypot(momentum.x * ratio),
-            momentum.z.hypot(momentum.y * root(i3 / i2 * (i21 / i31))),
-        );
         orbit
+    }
+
+    /// `λ² = Δ₁(I₃−I₂)/(I₁I₂I₃)`, `(λk′)² = Δ₂(I₃−I₁)/(I₁I₂I₃)`, `(λk)² = −Δ₃(I₂−I₁)/(I₁I₂I₃)`.
+    fn set_rates(&mut self, momentum: &[Wide; 3], difference: Wide) {
+        let [i1, i2, i3] = self.exact_moments;
+        let [i21, i31, i32] = self.differences;
+        let [_, m2, m3] = *momentum;
+        let common = i32 / (i1 * i3) / i2;
+        let rate = (m2 * m2 * (i21 / i2 * common) + m3 * m3 * (i31 / i3 * common)).sqrt().in_unit(0);
+        let size = if difference.value.high < 0.0 { -difference } else { difference };
+        let complementary_rate = (size * (i31 / (i1 * i3) / i2)).sqrt();
+        let root = |x: DoubleDouble| x.value().max(0.0).sqrt();
+        let over = root(i21) / root(i2) / root(i1 * i3);
+        let modulus_rate = (self.momentum.x * root(i31 / i1) * over).hypot(self.momentum.y * root(i32 / i2) * over);
+        if !(rate.high > 0.0 && rate.high.is_finite()) {
+            return;
+        }
+        self.kind = if complementary_rate.value.high == 0.0 { Kind::Separatrix } else { Kind::Circling };
+        self.rate = rate;
+        self.complementary_rate = complementary_rate;
+        self.modulus = (modulus_rate / rate.high).min(1.0);
+        self.complementary_modulus = (complementary_rate.in_unit(0).high / rate.high).min(1.0);
+    }
+
+    /// `B₂/B₁ = √(I₂(I₃−I₁)/(I₁(I₃−I₂)))`, `B₃/B₂ = √(I₃(I₂−I₁)/(I₂(I₃−I₁)))`.
+    fn set_amplitudes(&mut self) {
+        let [i1, i2, i3] = self.exact_moments.map(DoubleDouble::value);
+        let [i21, i31, i32] = self.differences.map(DoubleDouble::value);
+        let m = self.momentum;
+        let ratio = (i2 / i1 * (i31 / i32)).sqrt();
+        let of_third = (i3 / i2 * (i21 / i31)).sqrt();
+        self.amplitudes = DVec3::new(m.x.hypot(m.y / ratio), m.y.hypot(m.x * ratio), m.z.hypot(m.y * of_third));
     }
 
     /// Two factors that take seconds to the orbit's units of time.
     pub(crate) fn units_from_seconds(&self) -> [f64; 2] {
-        split_quotient(self.momentum_unit, self.moment_unit)
+        power_of_two_of(self.rate_exponent)
     }
 
     /// A time in the orbit's units in seconds.
     pub(crate) fn seconds(&self, time: f64) -> f64 {
-        let [first, second] = split_quotient(self.moment_unit, self.momentum_unit);
+        let [first, second] = power_of_two_of(-self.rate_exponent);
         time * first * second
     }
 
+    /// A map of momenta in the orbit's units, followed by one of those to kg m²/s.
+    pub(crate) fn to_momentum(&self, map: DMat3) -> DMat3 {
+        let [first, second] = power_of_two_of(self.moment_exponent + self.rate_exponent);
+        map * first * second
+    }
+
+    /// A map of angular velocities in the orbit's units, followed by one of those to rad/s.
+    pub(crate) fn to_rate(&self, map: DMat3) -> DMat3 {
+        let [first, second] = self.units_from_seconds();
+        map * first * second
+    }
+
     /// `u₀`, in `[−K, K]`, where `M₁ ≥ 0`.
-    pub(crate) fn start_phase(&self) -> f64 {
+    ///
+    /// Beside the separatrix `e^{−|u|} = ½(cn u + dn u)/(1 + |sn u|)`, of which the part that is small has an exponent of its own.
+    pub(crate) fn start_phase(&self) -> DoubleDouble {
         let [x, y, z] = (self.momentum / self.amplitudes).to_array();
-        match self.kind {
-            Kind::Steady => 0.0,
-            Kind::Separatrix => (y * self.handedness / z).asinh(),
-            Kind::Circling => elliptic::incomplete_by_modulus(y * self.handedness, x, self.complementary_modulus),
+        if self.kind == Kind::Steady {
+            return DoubleDouble::ZERO;
         }
+        if self.kind == Kind::Circling && self.complementary_modulus >= SMALL_COMPLEMENT {
+            return elliptic::incomplete_by_modulus(y * self.handedness, x, self.complementary_modulus).into();
+        }
+        let ([first, third], exponent) = self.beside;
+        let sum = match self.kind {
+            Kind::Circling => first / self.amplitudes.x + third / self.amplitudes.z,
+            _ => 2.0 * third / self.amplitudes.z,
+        };
+        let own = double_double::exponent_of(sum);
+        let [p, q] = power_of_two_of(-own);
+        let phase = if exponent + own > -4 {
+            (2.0 * y / (x + z)).asinh().abs().into()
+        } else {
+            double_double::LN_2 * f64::from(-(exponent + own)) + (2.0 * (1.0 + y.abs()) / (sum * p * q)).ln().into()
+        };
+        if y * self.handedness < 0.0 { -phase } else { phase }
     }
 
-    /// `K(k)`, infinite on the separatrix.
-    pub(crate) fn quarter_period(&self) -> f64 {
-        FRAC_PI_2 / elliptic::arithmetic_geometric_mean(1.0, self.complementary_modulus)
+    /// `K(k) = πλ/2ν` of the rate ν of `πu/2K`; infinite on the separatrix.
+    pub(crate) fn quarter_period(&self, phase_rate: DoubleDouble) -> DoubleDouble {
+        if self.kind == Kind::Separatrix {
+            return f64::INFINITY.into();
+        }
+        double_double::PI.scaled(0.5) * (self.rate / phase_rate)
     }
 
-    /// `ν`, the rate of `πu/2K`, to f64.
-    pub(crate) fn phase_rate(&self) -> f64 {
-        elliptic::arithmetic_geometric_mean(self.rate.value(), self.complementary_rate.value())
+    /// Time (s) between reversals of `M₂`, `2K/λ`; `None` where it does not reverse again and again.
+    pub(crate) fn half_period(&self) -> Option<f64> {
+        let time = self.seconds((double_double::PI / rates(self).0).value());
+        (self.kind == Kind::Circling && time.is_finite()).then_some(time)
+    }
+
+    /// Time (s) to the next passage of `M₂` through 0.
+    pub(crate) fn next_passage(&self) -> Option<f64> {
+        if self.kind == Kind::Steady {
+            return None;
+        }
+        let start = self.start_phase();
+        let is_past = self.kind == Kind::Circling && start.high >= 0.0;
+        let wait = if is_past { self.quarter_period(rates(self).0).scaled(2.0) - start } else { -start };
+        let time = self.seconds((wait / self.rate).value());
+        (wait.high > 0.0 && time.is_finite()).then_some(time)
     }
 
     /// The orbit of a body momentum of a body.
     pub(crate) fn of(body: &Body, body_momentum: DVec3) -> Self {
-        let principal = body.body_from_principal().transpose() * body_momentum;
-        Self::new(body.principal_moments(), principal, DVec3::ZERO)
+        Self::new(&Start::of_momentum(body, body_momentum))
     }
 }

@@ -7,11 +7,13 @@
 //!
 //! Points are in the body frame unless a name says otherwise, whether or not its axes are principal. SI units.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use glam::{DMat3, DVec3};
 
+use super::double_double::DoubleDouble;
 use super::orbit::{Kind, Orbit};
+use super::start::Start;
 use super::{Body, Motion, State, so3};
 
 /// What kind of motion a momentum is in.
@@ -64,15 +66,14 @@ impl MotionClass {
     }
 }
 
-/// The class of the motion with this body momentum.
+/// The class of the motion that starts here: that of the numbers the start was given by, so that it never contradicts the motion.
 ///
-/// On the separatrix means to rounding: `Δ₂` within 16ε of the two terms whose difference it is. Moments are equal
-/// and spins pure only when they are so exactly.
+/// Moments are equal, spins pure and starts on the separatrix only when they are so exactly.
 #[must_use]
-pub fn classify(body: &Body, body_momentum: DVec3) -> MotionClass {
-    let i = body.principal_moments();
-    let m = principal(body, body_momentum);
-    let nonzero = m.to_array().map(|component| component != 0.0);
+pub fn class_of(body: &Body, start: &State) -> MotionClass {
+    let start = Start::new(body, start);
+    let [i21, _, i32] = start.differences;
+    let nonzero = start.momentum.map(|component| component.value.high != 0.0);
     let axis = match nonzero {
         [false, false, false] => return MotionClass::AtRest,
         [true, false, false] => 1,
@@ -80,24 +81,36 @@ pub fn classify(body: &Body, body_momentum: DVec3) -> MotionClass {
         [false, false, true] => 3,
         _ => 0,
     };
-    match (i.x == i.y, i.y == i.z) {
+    match (i21.high == 0.0, i32.high == 0.0) {
         (true, true) => return MotionClass::Sphere,
         (true, false) if axis != 3 => return MotionClass::Symmetric { axis: 3 },
         (false, true) if axis != 1 => return MotionClass::Symmetric { axis: 1 },
         _ if axis != 0 => return MotionClass::PureSpin { axis },
         _ => {}
     }
-    // Δ₂ = M₃²(I₃−I₂)/I₃ − M₁²(I₂−I₁)/I₁.
-    let size = m.x.abs().max(m.z.abs());
-    let about_3 = (m.z / size).powi(2) * ((i.z - i.y) / i.z);
-    let about_1 = (m.x / size).powi(2) * ((i.y - i.x) / i.x);
-    if (about_3 - about_1).abs() <= 16.0 * f64::EPSILON * (about_3 + about_1) {
-        MotionClass::Separatrix
-    } else if about_3 > about_1 {
-        MotionClass::AboutAxis3
-    } else {
-        MotionClass::AboutAxis1
+    match start.difference.value.high {
+        0.0 => MotionClass::Separatrix,
+        above if above > 0.0 => MotionClass::AboutAxis3,
+        _ => MotionClass::AboutAxis1,
     }
+}
+
+/// [`class_of`] the motion with this body momentum, as it is rounded: on the separatrix then means to rounding, `Δ₂` within 16ε of
+/// the two terms whose difference it is.
+#[must_use]
+pub fn classify(body: &Body, body_momentum: DVec3) -> MotionClass {
+    let class = class_of(body, &of_momentum(body_momentum));
+    if !matches!(class, MotionClass::AboutAxis1 | MotionClass::AboutAxis3) {
+        return class;
+    }
+    // Δ₂ = M₃²(I₃−I₂)/I₃ − M₁²(I₂−I₁)/I₁.
+    let (i, m) = (body.principal_moments(), body.body_from_principal().transpose() * body_momentum);
+    let [i21, _, i32] = body.moment_differences();
+    let size = m.x.abs().max(m.z.abs());
+    let about_3 = (m.z / size).powi(2) * (i32 / i.z);
+    let about_1 = (m.x / size).powi(2) * (i21 / i.x);
+    let is_near = (about_3 - about_1).abs() <= 16.0 * f64::EPSILON * (about_3 + about_1);
+    if is_near { MotionClass::Separatrix } else { class }
 }
 
 /// Semi-axes `√(2K I_i)` (kg m²/s) of the energy ellipsoid in momentum space, along the principal axes.
@@ -126,7 +139,7 @@ pub fn invariable_plane_distance(body: &Body, body_momentum: DVec3) -> f64 {
 #[must_use]
 pub fn polhode(body: &Body, body_momentum: DVec3, points: usize) -> Vec<DVec3> {
     sampled_polhode(body, body_momentum, points, |orbit| {
-        (body.body_from_principal() * orbit.principal_from_standard) * orbit.momentum_unit
+        orbit.to_momentum(body.body_from_principal() * orbit.principal_from_standard)
     })
 }
 
@@ -134,9 +147,8 @@ pub fn polhode(body: &Body, body_momentum: DVec3, points: usize) -> Vec<DVec3> {
 #[must_use]
 pub fn angular_velocity_polhode(body: &Body, body_momentum: DVec3, points: usize) -> Vec<DVec3> {
     sampled_polhode(body, body_momentum, points, |orbit| {
-        let unit = orbit.momentum_unit / orbit.moment_unit;
-        let inverse = DMat3::from_diagonal(orbit.moments.recip() * unit);
-        body.body_from_principal() * orbit.principal_from_standard * inverse
+        let inverse = DMat3::from_diagonal(orbit.moments.recip());
+        orbit.to_rate(body.body_from_principal() * orbit.principal_from_standard * inverse)
     })
 }
 
@@ -184,10 +196,11 @@ fn sampled_polhode(body: &Body, body_momentum: DVec3, points: usize, map: impl F
 #[must_use]
 pub fn separatrix(body: &Body, ell: f64, points: usize) -> Option<[Vec<DVec3>; 2]> {
     let i = body.principal_moments();
-    if i.x == i.y || i.y == i.z {
+    let [i21, _, i32] = body.moment_differences();
+    if i21 == 0.0 || i32 == 0.0 {
         return None;
     }
-    let (rise, run) = ((i.x / i.z * (i.z - i.y)).sqrt(), (i.y - i.x).sqrt());
+    let (rise, run) = ((i.x / i.z * i32).sqrt(), i21.sqrt());
     let size = rise.hypot(run);
     let circle = |sign: f64| {
         let direction = DVec3::new(sign * rise / size, 0.0, run / size);
@@ -221,34 +234,43 @@ pub fn herpolhode_radii(body: &Body, body_momentum: DVec3) -> (f64, f64) {
         return (0.0, 0.0);
     }
     let (b, i) = (orbit.amplitudes, orbit.moments);
-    let unit = orbit.momentum_unit / orbit.moment_unit;
+    let [_, i31, i32] = orbit.differences.map(DoubleDouble::value);
     let ell = orbit.ell.value();
-    let through_1 = b.x * b.z / ell * ((i.z - i.x).abs() / (i.x * i.z)) * unit;
-    let through_2 = b.y * b.z / ell * orbit.complementary_modulus * ((i.z - i.y).abs() / (i.y * i.z)) * unit;
+    let [first, second] = orbit.units_from_seconds();
+    let through_1 = b.x * b.z / ell * (i31 / (i.x * i.z)) * first * second;
+    let through_2 = b.y * b.z / ell * orbit.complementary_modulus * (i32 / (i.y * i.z)) * first * second;
     (through_1.min(through_2), through_1.max(through_2))
 }
 
-/// Time (s) between flips, the reversals of `M₂`: `2K(k)/λ = π/M(λ, λk′)`.
+/// Time (s) between flips, the reversals of `M₂`: `2K(k)/λ = π/M(λ, λk′)`, of the motion that starts here.
 ///
 /// `None` where it never reverses, or only once: a steady spin, the separatrix, a body with two equal moments (it has
 /// no middle axis). Relative error some ε.
 #[must_use]
-pub fn flip_period(body: &Body, body_momentum: DVec3) -> Option<f64> {
-    let orbit = Orbit::of(body, body_momentum);
-    let period = orbit.seconds(PI / orbit.phase_rate());
-    (flips(&orbit) && orbit.kind == Kind::Circling && period.is_finite()).then_some(period)
+pub fn flip_period_of(body: &Body, start: &State) -> Option<f64> {
+    let orbit = Orbit::new(&Start::new(body, start));
+    orbit.half_period().filter(|_| flips(&orbit))
 }
 
-/// Time (s) from this momentum to the middle of the next flip, where `M₂` passes through 0.
+/// [`flip_period_of`] the motion that starts with this momentum, as it is rounded.
+#[must_use]
+pub fn flip_period(body: &Body, body_momentum: DVec3) -> Option<f64> {
+    flip_period_of(body, &of_momentum(body_momentum))
+}
+
+/// Time (s) from the start to the middle of the next flip, where `M₂` passes through 0.
 ///
 /// `None` where no flip comes: where there are none at all, and on the separatrix after its one.
 #[must_use]
+pub fn next_flip_of(body: &Body, start: &State) -> Option<f64> {
+    let orbit = Orbit::new(&Start::new(body, start));
+    orbit.next_passage().filter(|_| flips(&orbit))
+}
+
+/// [`next_flip_of`] the motion that starts with this momentum, as it is rounded.
+#[must_use]
 pub fn next_flip(body: &Body, body_momentum: DVec3) -> Option<f64> {
-    let orbit = Orbit::of(body, body_momentum);
-    let start = orbit.start_phase();
-    let wait = if orbit.kind == Kind::Circling && start >= 0.0 { 2.0 * orbit.quarter_period() - start } else { -start };
-    let time = orbit.seconds(wait / orbit.rate.value());
-    (flips(&orbit) && wait > 0.0 && time.is_finite()).then_some(time)
+    next_flip_of(body, &of_momentum(body_momentum))
 }
 
 /// Growth rate (1/s) of a small tilt from the middle axis at momentum ℓ: `σ = Ω₂ √((I₃−I₂)(I₂−I₁)/(I₁I₃))`, `Ω₂ = ℓ/I₂`.
@@ -257,13 +279,15 @@ pub fn next_flip(body: &Body, body_momentum: DVec3) -> Option<f64> {
 #[must_use]
 pub fn growth_rate(body: &Body, ell: f64) -> f64 {
     let i = body.principal_moments();
-    ell / i.y * ((i.z - i.y) / i.z).sqrt() * ((i.y - i.x) / i.x).sqrt()
+    let [i21, _, i32] = body.moment_differences();
+    ell / i.y * (i32 / i.z).sqrt() * (i21 / i.x).sqrt()
 }
 
 fn flips(orbit: &Orbit) -> bool {
-    orbit.kind != Kind::Steady && orbit.moments.x != orbit.moments.y && orbit.moments.y != orbit.moments.z
+    let [i21, _, i32] = orbit.differences;
+    orbit.kind != Kind::Steady && i21.high != 0.0 && i32.high != 0.0
 }
 
-fn principal(body: &Body, v: DVec3) -> DVec3 {
-    body.body_from_principal().transpose() * v
+fn of_momentum(body_momentum: DVec3) -> State {
+    State::from_parts(DMat3::IDENTITY, body_momentum, body_momentum)
 }

@@ -24,12 +24,14 @@ impl Case {
     }
 }
 
+/// A vector of the reference files.
+pub(crate) fn vector(value: &serde_json::Value) -> DVec3 {
+    DVec3::from_array([0, 1, 2].map(|i| value[i].as_f64().expect("the reference file has numbers here")))
+}
+
 pub(crate) fn reference_cases() -> Vec<Case> {
     let text = include_str!("../free_rigid_body.json");
     let file: serde_json::Value = serde_json::from_str(text).expect("the reference file is JSON");
-    let vector = |value: &serde_json::Value| {
-        DVec3::from_array([0, 1, 2].map(|i| value[i].as_f64().expect("the reference file has numbers here")))
-    };
     let cases = file["cases"].as_array().expect("a list of cases").iter().map(|case| {
         let body = Body::from_moments(vector(&case["moments"])).expect("a body");
         let start = State::new(&body, DMat3::IDENTITY, vector(&case["omega"]));

@@ -43,14 +43,15 @@ pub(crate) struct Complementary {
 }
 
 impl Series {
-    /// From `k` and `k′`, each given with all its digits.
-    pub(crate) fn new(modulus: f64, complementary_modulus: f64) -> Self {
-        if complementary_modulus == 0.0 {
+    /// From `k` and `k′`, each given with all its digits, and `−ln k′`, which counts where k′ is too small a number to be one;
+    /// infinite on the separatrix.
+    pub(crate) fn new(modulus: f64, complementary_modulus: f64, logarithm: f64) -> Self {
+        if logarithm == f64::INFINITY {
             Self::Hyperbolic
         } else if complementary_modulus >= modulus {
             Self::Real(Real::new(root_of_nome(modulus, complementary_modulus)))
         } else {
-            Self::Complementary(Complementary::new(root_of_nome(complementary_modulus, modulus)))
+            Self::Complementary(Complementary::new(root_of_nome(complementary_modulus, modulus), logarithm))
         }
     }
 }
@@ -97,7 +98,7 @@ impl Real {
 }
 
 impl Complementary {
-    fn new(root_of_nome: f64) -> Self {
+    fn new(root_of_nome: f64, logarithm: f64) -> Self {
         let q = root_of_nome * root_of_nome;
         let (q4, q9) = (q.powi(4), q.powi(9));
         let third = 1.0 + 2.0 * (q + q4 + q9);
@@ -106,9 +107,15 @@ impl Complementary {
         Self {
             nome: q,
             root_of_nome,
-            decay: -root_of_nome.ln(),
+            // √q′ is k′/4 to 53 bits long before k′ runs out of digits.
+            decay: if logarithm > 100.0 { logarithm + 4f64.ln() } else { -root_of_nome.ln() },
             factors: [third / fourth, second / fourth, second / third],
         }
+    }
+
+    /// `√q′ exp(v)` for `v = πu/2K′`, `0 ≤ u ≤ K`, from `exp(−v)` and `u/K`.
+    pub(crate) fn rise(&self, e: f64, quarters: f64) -> f64 {
+        if self.decay < 600.0 { self.root_of_nome / e } else { (self.decay * (quarters - 1.0)).exp() }
     }
 
     /// `[sn, cn, dn]` for `0 ≤ u ≤ K` from `e = exp(−v)` and `p = √q′ exp(v)`, `v = πu/2K′`. Jacobi's imaginary
@@ -158,7 +165,7 @@ impl Jacobi {
     pub fn new(complementary_parameter: f64) -> Self {
         let modulus = (1.0 - complementary_parameter).max(0.0).sqrt();
         Self {
-            series: Series::new(modulus, complementary_parameter.sqrt()),
+            series: Series::new(modulus, complementary_parameter.sqrt(), -0.5 * complementary_parameter.ln()),
             quarter_period: complete_first_kind(complementary_parameter),
         }
     }

@@ -62,16 +62,24 @@ pub fn complete_second_kind(complementary_parameter: f64) -> f64 {
 ///
 /// Given so, angles near a right angle keep their digits, and those are what an orbit near the separatrix consists of.
 /// Inverse of the amplitude: `am F(φ) = φ`. `asinh tan φ` at `k′ = 0` (infinite at ±π/2); φ at `k′ = 1`.
-/// Error 8ε relative. Source: descending Landen transformation, DLMF 19.8(ii), with the tangents in homogeneous form.
+/// Error 8ε relative. Source: descending Landen transformation, DLMF 19.8(ii), with the tangents in homogeneous form; from
+/// `k′ = 1e-9` down `sinh F = 2s/(c + √(c² + k′²s²))`, of which what is left out is below `k′² ln k′`.
 #[must_use]
 pub fn incomplete_first_kind(sine: f64, cosine: f64, complementary_parameter: f64) -> f64 {
     incomplete_by_modulus(sine, cosine, complementary_parameter.sqrt())
 }
 
+/// Below this k′ the integral is that of the separatrix, joined in the middle of the quarter period to its mirror image.
+const SMALL_COMPLEMENT: f64 = 1e-9;
+
 /// [`incomplete_first_kind`] by the complementary modulus `k′`, which may be too small to be squared.
 pub(crate) fn incomplete_by_modulus(sine: f64, cosine: f64, complementary_modulus: f64) -> f64 {
-    if complementary_modulus == 0.0 {
-        return (sine / cosine).asinh();
+    if complementary_modulus < SMALL_COMPLEMENT {
+        let sum = cosine + cosine.hypot(complementary_modulus * sine);
+        let ratio = 2.0 * sine / sum;
+        // Beyond the range of sinh's inverse that is the logarithm of twice the number, which itself may be out of range.
+        let is_far = sine.abs() > 1e150 * sum;
+        return if is_far { (sine.abs().ln() - sum.ln() + 4f64.ln()).copysign(sine) } else { ratio.asinh() };
     }
     let (mut s, mut c) = (sine, cosine);
     let (mut a, mut g) = (1.0, complementary_modulus);

@@ -6,8 +6,10 @@ mod rates;
 use glam::{DMat3, DVec3};
 
 pub(crate) use path::Path;
+pub(crate) use rates::rates;
 
 use super::orbit::Orbit;
+use super::start::Start;
 use super::{Body, State};
 
 /// A motion prepared from a body and its state at time 0: [`Motion::state`] goes to any time at once.
@@ -47,10 +49,7 @@ impl Motion {
     /// Prepares the motion of a body from its state at time 0.
     #[must_use]
     pub fn new(body: &Body, start: &State) -> Self {
-        let principal_from_body = body.body_from_principal().transpose();
-        let momentum = principal_from_body * start.body_momentum;
-        let tail = principal_from_body * start.momentum_tail();
-        let orbit = Orbit::new(body.principal_moments(), momentum, tail);
+        let orbit = Orbit::new(&Start::new(body, start));
         let body_from_orbit = body.body_from_principal() * orbit.principal_from_standard;
         let path = Path::new(&orbit);
         let start_inverse = DMat3::from_quat(path.start_inverse());
@@ -59,7 +58,7 @@ impl Motion {
             start: *start,
             world_from_start: start.world_from_body * body_from_orbit * start_inverse,
             orbit_from_body: body_from_orbit.transpose(),
-            body_from_orbit: body_from_orbit * orbit.momentum_unit,
+            body_from_orbit: orbit.to_momentum(body_from_orbit),
         }
     }
 

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use glam::{DQuat, DVec3};
 
 use super::rates::rates;
-use crate::physics::double_double::{self, DoubleDouble};
+use crate::physics::double_double::{self, DoubleDouble, Wide};
 use crate::physics::elliptic::{self, Complementary, Real, Series};
 use crate::physics::orbit::{Kind, Orbit};
 use crate::physics::so3;
@@ -22,7 +22,7 @@ pub(crate) struct Path {
     /// Two factors that take seconds to the orbit's units of time.
     units_from_seconds: [f64; 2],
     /// `u₀/4K`.
-    start_turns: f64,
+    start_turns: DoubleDouble,
     /// `λ/4K`, per unit of time.
     turn_rate: DoubleDouble,
     /// `ψ̄/4π`, per unit of time: turns of the half angle.
@@ -42,8 +42,11 @@ enum Shape {
     /// χ by the complementary nome: coefficients of `sinh(2n+1)b` and `cosh(2n+1)b`, n = 0…4, and `πη/4K′`.
     Complementary { series: Complementary, sines: [f64; 5], cosines: [f64; 5], slope: f64 },
     /// `k′ = 0`, with λ and u₀; χ is `−atan(tan(η/2) tanh(u/2))`.
-    Hyperbolic { rate: f64, start: f64, sine: f64, cosine: f64 },
+    Hyperbolic { rate: DoubleDouble, start: DoubleDouble, sine: f64, cosine: f64 },
 }
+
+/// Where the flips are this many e-folds apart, or more, the phase near them is a small difference that wants more digits than f64 has.
+const LINGERING: f64 = 64.0;
 
 /// Momentum over amplitudes, `[cn, sn, dn]`, and χ: a linear part and the angle of the vector `(x, y)`, of any length.
 struct Point {
@@ -63,7 +66,7 @@ impl Path {
             inverse_ell: 1.0 / ell,
             handedness: orbit.handedness,
             units_from_seconds: orbit.units_from_seconds(),
-            start_turns: 0.0,
+            start_turns: DoubleDouble::ZERO,
             turn_rate: DoubleDouble::ZERO,
             half_angle_rate: DoubleDouble::ZERO,
             slope: 0.0,
@@ -73,32 +76,33 @@ impl Path {
             if ell > 0.0 {
                 // Every axis with a share of the momentum has the same moment; the largest share names it.
                 let size = orbit.momentum.abs();
-                let moment = (0..3).max_by(|&a, &b| size[a].total_cmp(&size[b])).map_or(1.0, |i| orbit.moments[i]);
-                path.half_angle_rate = half_angle_rate(orbit.ell / DoubleDouble::from(moment));
+                let largest = (0..3).max_by(|&a, &b| size[a].total_cmp(&size[b])).unwrap_or(0);
+                path.half_angle_rate = half_angle_rate(orbit.ell / orbit.exact_moments[largest]);
                 path.shape = Shape::Steady { axis: orbit.momentum / ell, momentum: orbit.momentum };
             }
             return path;
         }
 
         let (k, k1) = (orbit.modulus, orbit.complementary_modulus);
-        let [i1, i2, i3] = orbit.moments.to_array();
+        let [i1, _, i3] = orbit.moments.to_array();
+        let [i21, _, i32] = orbit.differences.map(DoubleDouble::value);
         // κ, the slope of the separatrix: am(η, k′) = atan κ.
-        let (rise, run) = ((i1 * (i3 - i2).abs()).sqrt(), (i3 * (i2 - i1).abs()).sqrt());
+        let (rise, run) = ((i1 * i32).sqrt(), (i3 * i21).sqrt());
         if orbit.kind == Kind::Separatrix {
-            path.half_angle_rate = half_angle_rate(orbit.ell / DoubleDouble::from(i2));
+            path.half_angle_rate = half_angle_rate(orbit.ell / orbit.exact_moments[1]);
             let half = 0.5 * rise.atan2(run);
-            let start = orbit.start_phase();
             let (sine, cosine) = half.sin_cos();
-            path.shape = Shape::Hyperbolic { rate: orbit.rate.value(), start, sine, cosine };
+            path.shape = Shape::Hyperbolic { rate: orbit.rate, start: orbit.start_phase(), sine, cosine };
         } else {
-            let quarter = orbit.quarter_period();
-            let (turn_rate, angle_rate) = rates(orbit);
-            path.turn_rate = turn_rate / two_pi;
+            let (phase_rate, angle_rate) = rates(orbit);
+            let quarter = orbit.quarter_period(phase_rate);
+            path.turn_rate = phase_rate / two_pi;
             path.half_angle_rate = half_angle_rate(angle_rate);
-            path.start_turns = 0.25 * orbit.start_phase() / quarter;
+            path.start_turns = orbit.start_phase() / quarter.scaled(4.0);
             path.slope = elliptic::arithmetic_geometric_mean(1.0, k.max(k1));
-            path.shape = match Series::new(k, k1) {
-                Series::Real(series) => real_shape(series, rise, run, k, quarter),
+            let logarithm = -(orbit.complementary_rate / Wide::new(orbit.rate, 0)).logarithm();
+            path.shape = match Series::new(k, k1, logarithm) {
+                Series::Real(series) => real_shape(series, rise, run, k, quarter.value()),
                 Series::Complementary(series) => {
                     let eta = elliptic::incomplete_by_modulus(rise, run, k);
                     complementary_shape(series, 0.5 * eta * elliptic::arithmetic_geometric_mean(1.0, k))
@@ -165,7 +169,7 @@ impl Path {
                 }
                 let (sign, quarters) = elliptic::reduce(v / series.decay);
                 let e = (-series.decay * quarters.abs()).exp();
-                let [sn, cn, dn] = series.at(e, series.root_of_nome / e);
+                let [sn, cn, dn] = series.at(e, series.rise(e, quarters.abs()));
                 [sign * cn, sign * sn.copysign(quarters), dn]
             }
             Shape::Hyperbolic { .. } => {
@@ -200,7 +204,7 @@ impl Path {
 
     /// At a time in the orbit's units.
     fn point(&self, time: f64) -> Point {
-        let turns = double_double::beyond_whole(phase(self.turn_rate, time) + self.start_turns);
+        let turns = double_double::beyond_whole(phase(self.turn_rate, time) + self.start_turns.high);
         match &self.shape {
             Shape::Steady { .. } => Point { functions: [1.0, 0.0, 1.0], chi: (1.0, 0.0), linear: 0.0 },
             Shape::Real { series, sines, cosines } => {
@@ -213,11 +217,16 @@ impl Path {
             }
             Shape::Complementary { series, sines, cosines, slope } => {
                 // u/K within ±1, half a period being 2K.
-                let is_behind = turns.abs() > 0.25;
-                let sign = if is_behind { -1.0 } else { 1.0 };
-                let quarters = 4.0 * turns - if is_behind { 2f64.copysign(turns) } else { 0.0 };
+                let (rest, is_behind) = if series.decay > LINGERING {
+                    turns_beyond_half(self.turn_rate, time, self.start_turns)
+                } else if turns.abs() > 0.25 {
+                    (turns - 0.5f64.copysign(turns), true)
+                } else {
+                    (turns, false)
+                };
+                let (sign, quarters) = (if is_behind { -1.0 } else { 1.0 }, 4.0 * rest);
                 let e = (-series.decay * quarters.abs()).exp();
-                let p = series.root_of_nome / e;
+                let p = series.rise(e, quarters.abs());
                 let [sn, cn, dn] = series.at(e, p);
                 let (mut numerator, mut denominator) = (0.0, 0.0);
                 let (mut power, mut odd) = (1.0, e);
@@ -237,7 +246,7 @@ impl Path {
                 }
             }
             Shape::Hyperbolic { rate, start, sine, cosine } => {
-                let u = rate * time + start;
+                let u = hyperbolic_phase(*rate, time, *start);
                 let [sn, cn, dn] = elliptic::hyperbolic(u);
                 Point { functions: [cn, sn, dn], chi: (*cosine, -sine * (0.5 * u).tanh()), linear: 0.0 }
             }
@@ -251,6 +260,18 @@ fn phase(rate: DoubleDouble, time: f64) -> f64 {
     let (rate, time) = if time.abs() > 1e280 { (rate.scaled(1e32), time * 1e-32) } else { (rate, time) };
     let turns = rate.high * time;
     if turns.abs() < 1e32 { rate.fraction_of_product(time) } else { 0.0 }
+}
+
+/// [`phase`] plus the start's, beyond the nearest half turn, and whether that is an odd one.
+fn turns_beyond_half(rate: DoubleDouble, time: f64, start: DoubleDouble) -> (f64, bool) {
+    let is_lost = time.abs() > 1e280 || (rate.high * time).abs() >= 1e32;
+    rate.beyond_half(if is_lost { 0.0 } else { time }, start)
+}
+
+/// `λt + u₀`. A start far from the flip wants more digits of it than f64 has; beyond some 700 on either side nothing is left of the flip.
+fn hyperbolic_phase(rate: DoubleDouble, time: f64, start: DoubleDouble) -> f64 {
+    let rough = rate.high * time;
+    if start.high.abs() < 16.0 || rough.abs() > 1e4 { rough + start.high } else { (rate * time + start).value() }
 }
 
 /// `(−1)ⁿ q^(2n²)` times `sinh 2ny` and `cosh 2ny`, `y = πη/2K`.

@@ -29,26 +29,20 @@ pub(super) const METHOD: Method = Method {
 struct ClosedForm {
     path: Path,
     principal_from_standard: DMat3,
-    momentum_unit: f64,
     time: f64,
 }
 
 impl ClosedForm {
     fn new(problem: &Problem) -> Self {
-        let orbit = Orbit::new(problem.moments, problem.momentum, problem.momentum_tail);
-        Self {
-            path: Path::new(&orbit),
-            principal_from_standard: orbit.principal_from_standard,
-            momentum_unit: orbit.momentum_unit,
-            time: 0.0,
-        }
+        let orbit = Orbit::new(&problem.start);
+        Self { path: Path::new(&orbit), principal_from_standard: orbit.principal_from_standard, time: 0.0 }
     }
 
     fn at(&self, time: f64) -> (DMat3, DVec3) {
         let (turned, momentum) = self.path.at(time);
         let attitude =
             self.principal_from_standard * DMat3::from_quat(turned) * self.principal_from_standard.transpose();
-        (attitude, self.principal_from_standard * (momentum * self.momentum_unit))
+        (attitude, self.principal_from_standard * momentum)
     }
 }
 

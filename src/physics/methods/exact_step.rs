@@ -161,7 +161,7 @@ struct ShortIncrement {
 
 impl ExactStep {
     fn new(problem: &Problem) -> Self {
-        let orbit = Orbit::new(problem.moments, problem.momentum, problem.momentum_tail);
+        let orbit = Orbit::new(&problem.start);
         Self {
             path: Path::new(&orbit),
             orbit,
@@ -302,7 +302,7 @@ impl Stepper for ExactStep {
     }
 
     fn momentum(&self) -> DVec3 {
-        self.orbit.principal_from_standard * (self.standard_momentum() * self.orbit.momentum_unit)
+        self.orbit.principal_from_standard * self.standard_momentum()
     }
 
     fn duplicate(&self) -> Box<dyn Stepper> {

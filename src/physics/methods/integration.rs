@@ -3,7 +3,8 @@
 use glam::{DMat3, DVec3};
 
 use super::{Failure, Keeps, Method, Problem, Stepper};
-use crate::physics::orbit::{power_of_two, split_quotient};
+use crate::physics::double_double::power_of_two_of;
+use crate::physics::start::Start;
 use crate::physics::{Body, State};
 
 /// Why a method could not go on.
@@ -42,7 +43,8 @@ pub struct Integration {
     start: State,
     step: f64,
     steps: i64,
-    momentum_unit: f64,
+    /// Two factors that take momenta of the stepper to kg m²/s.
+    momentum_unit: [f64; 2],
     /// Two factors that take seconds to the units of the stepper.
     units_from_seconds: [f64; 2],
     stepper: Box<dyn Stepper>,
@@ -64,19 +66,23 @@ impl Integration {
     /// Starts a method from a state with a fixed step (s, finite and above 0).
     #[must_use]
     pub fn new(method: &'static Method, body: &Body, start: State, step: f64) -> Self {
-        let principal_from_body = body.body_from_principal().transpose();
-        let moments = body.principal_moments();
-        let momentum = principal_from_body * start.body_momentum;
-        let moment_unit = power_of_two(moments.z);
-        let momentum_unit = power_of_two(momentum.abs().max_element());
+        let exact = Start::new(body, &start);
+        // The stepper's units are those of the start.
         let problem = Problem {
-            moments: moments / moment_unit,
-            momentum: momentum / momentum_unit,
-            momentum_tail: principal_from_body * start.momentum_tail() / momentum_unit,
+            moments: exact.rounded_moments(),
+            momentum: exact.rounded_momentum(),
+            start: Start { moment_exponent: 0, rate_exponent: 0, ..exact },
         };
-        let stepper = (method.start)(&problem);
-        let units_from_seconds = split_quotient(momentum_unit, moment_unit);
-        Self { method, body: *body, start, step, steps: 0, momentum_unit, units_from_seconds, stepper }
+        Self {
+            method,
+            body: *body,
+            start,
+            step,
+            steps: 0,
+            momentum_unit: power_of_two_of(exact.moment_exponent + exact.rate_exponent),
+            units_from_seconds: power_of_two_of(exact.rate_exponent),
+            stepper: (method.start)(&problem),
+        }
     }
 
     /// The method.
@@ -179,7 +185,7 @@ impl Integration {
         let body_from_principal = self.body.body_from_principal();
         let start_from_now = body_from_principal * attitude * body_from_principal.transpose();
         let world_from_body = self.start.world_from_body * start_from_now;
-        let body_momentum = body_from_principal * (momentum * self.momentum_unit);
+        let body_momentum = body_from_principal * (momentum * self.momentum_unit[0] * self.momentum_unit[1]);
         let world_momentum = if self.method.keeps_momentum == Keeps::Exactly {
             self.start.world_momentum
         } else {

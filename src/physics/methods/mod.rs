@@ -23,6 +23,8 @@ mod sign;
 
 use glam::{DMat3, DVec3};
 
+use super::start::Start;
+
 pub use integration::{Integration, MethodError};
 pub use sign::{Dash, Hue, Mark};
 
@@ -55,8 +57,8 @@ pub struct Problem {
     pub moments: DVec3,
     /// Momentum in the principal frame.
     pub momentum: DVec3,
-    /// What rounding cut off the momentum.
-    pub momentum_tail: DVec3,
+    /// The same before rounding.
+    pub(crate) start: Start,
 }
 
 /// Why a solver could not take its steps.
