@@ -10,6 +10,9 @@ use crate::scene::{SceneError, SceneFile};
 /// Largest scene file read (bytes): a thousand times the longest preset.
 pub const LARGEST_SCENE: u64 = 1 << 20;
 
+/// A scene's path, as it was named, and what is there.
+pub type NamedScene = (String, Result<SceneFile, SceneError>);
+
 /// The text of a file, or of a pipe, that is UTF-8 and at most `most` bytes long.
 ///
 /// # Errors
@@ -81,7 +84,7 @@ pub fn read_scene(path: &Path) -> Result<SceneFile, SceneError> {
 ///
 /// # Errors
 /// A folder that cannot be read or has no scene in it.
-pub fn read_scenes(path: &Path) -> Result<Vec<(String, Result<SceneFile, SceneError>)>, FileError> {
+pub fn read_scenes(path: &Path) -> Result<Vec<NamedScene>, FileError> {
     let paths = if path.is_dir() { scenes_in(path)? } else { vec![path.to_owned()] };
     let read = |path: PathBuf| {
         let scene = read_scene(&path);
