@@ -2,6 +2,7 @@
 
 use std::process::ExitCode;
 
+use clap::error::{ContextKind, ContextValue};
 use dzhanibekov::scene::SceneError;
 
 /// A failure, by what the caller can do about it.
@@ -60,9 +61,13 @@ pub(super) fn of_command_line(error: &clap::Error) -> Option<Failure> {
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
         return None;
     }
+    let file = (error.kind() == ErrorKind::UnknownArgument).then(|| dashed_file(error)).flatten();
     let text = error.to_string();
     let mut sentence = String::new();
     for line in text.lines().map(str::trim) {
+        if file.is_some() && line.starts_with("tip:") {
+            continue;
+        }
         if line.starts_with("Usage:") || line.starts_with("For more information") {
             break;
         }
@@ -75,5 +80,22 @@ pub(super) fn of_command_line(error: &clap::Error) -> Option<Failure> {
         }
         sentence.push_str(line.trim_start_matches("tip: "));
     }
+    if let Some(file) = file {
+        sentence.push_str("; a file of this name is written ./");
+        sentence.push_str(&file);
+    }
     Some(Failure::Request(sentence))
+}
+
+/// The argument that clap does not know, where it is a file's name that begins with a dash.
+fn dashed_file(error: &clap::Error) -> Option<String> {
+    const NAMES_A_FILE: [&str; 4] = ["-o", "--output", "--json", "--peers"];
+    let Some(ContextValue::String(unknown)) = error.get(ContextKind::InvalidArg) else { return None };
+    let arguments: Vec<String> = std::env::args_os().map(|argument| argument.to_string_lossy().into_owned()).collect();
+    // Clap reads `-x.csv` as a row of flags of one letter and names the first alone.
+    arguments.windows(2).find_map(|pair| {
+        let [before, argument] = pair else { return None };
+        let is_file = argument.contains('.') || NAMES_A_FILE.contains(&before.as_str());
+        (argument.starts_with(unknown) && is_file).then(|| argument.clone())
+    })
 }

@@ -164,12 +164,6 @@ pub(super) fn sweep(times: &[f64]) -> Option<Vec<usize>> {
     Some(order)
 }
 
-/// Whether a method goes to any time of a scene without a step.
-pub(super) fn goes_directly(method: &'static Method, scene: &Scene) -> bool {
-    let mut integration = Integration::new(method, &scene.body, scene.start, scene.step);
-    integration.state_at(scene.step).is_ok() && integration.steps() == 0
-}
-
 /// Refuses times (s) from the start that are more steps away than anyone waits for; `what` names them. Whoever draws follows the
 /// methods of the comparison too.
 pub(super) fn check_steps<'a>(
@@ -183,7 +177,7 @@ pub(super) fn check_steps<'a>(
         return Ok(());
     }
     for &method in methods {
-        if goes_directly(method, scene) {
+        if method.is_direct {
             continue;
         }
         let mut integration = Integration::new(method, &scene.body, scene.start, scene.step);
@@ -191,7 +185,7 @@ pub(super) fn check_steps<'a>(
         let trial = integration.advance(TRIAL);
         let seconds = begun.elapsed().as_secs_f64() / TRIAL as f64 * steps;
         let lasting = if trial.is_ok() { format!(", about {}", span(seconds)) } else { String::new() };
-        let direct = METHODS.iter().find(|method| goes_directly(method, scene));
+        let direct = METHODS.iter().find(|method| method.is_direct);
         let instead = direct.map_or_else(String::new, |method| {
             format!("--method {}, which goes to any time at once, or ", method.name)
         });
@@ -244,40 +238,4 @@ pub(super) fn time_of(count: f64, mut call: impl FnMut()) -> f64 {
     }
     let one: Duration = begun.elapsed() / 1000;
     one.as_secs_f64() * count
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Decimal, span, sweep};
-
-    #[test]
-    fn a_multiple_of_a_decimal_is_rounded_once() {
-        let decimal = |text: &str| Decimal::parse(text).expect(text);
-        assert_eq!(decimal("0.1").times(3), 0.3);
-        assert_ne!(3.0 * 0.1, 0.3);
-        for k in 0..10_000 {
-            assert_eq!(decimal("0.01").times(k), format!("{k}e-2").parse::<f64>().expect("a number"));
-            assert_eq!(decimal("1e-2").times(k), decimal("0.0100").times(k));
-        }
-        assert_eq!(decimal("1e300").times(7), 7e300);
-        assert_eq!(decimal("0.3333333333333333333333333333333333").times(3), 1.0);
-        assert_eq!(decimal("10").whole_parts(decimal("0.1")), Some(100));
-        assert_eq!(decimal("0.3").whole_parts(decimal("0.1")), Some(3));
-        assert_eq!(decimal("1e-300").whole_parts(decimal("10")), Some(0));
-        assert_eq!(decimal("10").whole_parts(decimal("1e-300")), None);
-        assert_eq!(decimal("0").whole_parts(decimal("1e-300")), Some(0));
-    }
-
-    #[test]
-    fn a_sweep_goes_forward_and_then_back() {
-        let times = [3.0, -1.0, 0.0, -2.0, 1.0];
-        assert_eq!(sweep(&times), Some(vec![2, 4, 0, 1, 3]));
-        assert_eq!(sweep(&[0.0, 1.0, 1.0, -1.0]), None);
-    }
-
-    #[test]
-    fn a_span_is_said_in_its_unit() {
-        assert_eq!(span(3.0), "3 s");
-        assert_eq!(span(3.2e17), "1e10 years");
-    }
 }

@@ -11,7 +11,7 @@ use super::arguments::SceneArguments;
 use super::failure::Failure;
 use super::output::{check_place, io_failure, write_whole};
 use super::signal;
-use super::times::{Decimal, Times, check_steps, goes_directly, rough, short, span, sweep, time_of};
+use super::times::{Decimal, Times, check_steps, rough, short, span, sweep, time_of};
 
 const HEADER: &str = "t,r11,r12,r13,r21,r22,r23,r31,r32,r33,M1,M2,M3,W1,W2,W3,L1,L2,L3,energy\n";
 /// Most rows at equal distances: some hundred gigabytes.
@@ -70,7 +70,7 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), Failure> {
                     put(time, &state_at(time)?)?;
                 }
             }
-            Rows::At(times) => match sweep(&times).filter(|_| !goes_directly(scene.method, &scene)) {
+            Rows::At(times) => match sweep(&times).filter(|_| !scene.method.is_direct) {
                 None => {
                     for time in times {
                         put(time, &state_at(time)?)?;

@@ -172,7 +172,7 @@ impl Movie for Ffmpeg {
     }
 
     fn finish(mut self: Box<Self>) -> Result<(), MovieError> {
-        let flushed = self.stream.take().map_or(Ok(()), |stream| stream.finish());
+        let flushed = self.stream.take().map_or(Ok(()), Movie::finish);
         self.end()?;
         flushed.or_else(|_| ended_early())
     }
