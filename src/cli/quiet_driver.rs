@@ -11,6 +11,7 @@ pub(super) fn keep_quiet() {
         return;
     }
     if let Ok(program) = std::env::current_exe() {
+        dzhanibekov::files::keep_closed();
         // Returns only where it failed, and then the noise is all that is lost.
         let _ = std::process::Command::new(program).args(std::env::args_os().skip(1)).env(OFF, "1").exec();
     }

@@ -22,6 +22,7 @@ pub use new::write_new;
 pub use output::{Output, Sink};
 pub use place::{check, takes_streams};
 pub use read::{LARGEST_SCENE, NamedScene, read_scene, read_scenes, read_standard_input, read_text};
+pub use standard::keep_closed;
 pub use under_way::abandon;
 
 /// Writes a file whole, or standard output where the path is `-`.

@@ -29,3 +29,16 @@ pub(super) fn was_closed(number: i32) -> bool {
         .and_then(|index| CLOSED.get(index))
         .is_some_and(|closed| closed.load(Ordering::Relaxed))
 }
+
+/// Closes again, for a program that takes this one's place, the standard streams that were closed when it was started.
+pub fn keep_closed() {
+    #[cfg(unix)]
+    for (closed, stream) in
+        CLOSED.iter().zip([rustix::stdio::stdin(), rustix::stdio::stdout(), rustix::stdio::stderr()])
+    {
+        if closed.load(Ordering::Relaxed) {
+            // Where it cannot be done the new program finds it open, and no more than that.
+            let _ = rustix::io::fcntl_setfd(stream, rustix::io::FdFlags::CLOEXEC);
+        }
+    }
+}
