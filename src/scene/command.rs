@@ -1,72 +1,92 @@
-//! A scene as flags of the command line: what reproduces a picture in a shell.
+//! A scene as words of a command line: what reproduces a picture in a shell.
 
-use super::{Layout, SceneFile, Theme};
+use super::edit::{Edit, Edits, names};
+use super::keys::{KEYS, Key};
+use super::value::Value;
+use super::{SceneFile, word};
 
-/// The flags that turn the scene `base` into `file`, each a word of a command line. Title and words are left out, as is
-/// an attitude, which has no flag.
+/// What turns one scene into another: each key, and what it says then; nothing where it is taken away.
+type Changes = Vec<(&'static Key, Option<Value>)>;
+
+/// The words of a command line that turn the scene `base` into `file`: a flag for whatever has one, `--set` for the
+/// rest. Read over `base` they give `file` again, whatever it is.
 #[must_use]
 pub fn flags(base: &SceneFile, file: &SceneFile) -> Vec<String> {
-    let mut flags = Flags(vec![]);
-    let (body, was) = (&file.body, &base.body);
-    if body != was {
-        flags.list("--box", body.edges.as_ref().map(<[f64; 3]>::as_slice));
-        flags.put("--mass", body.mass);
-        flags.list("--moments", body.moments.as_ref().map(<[f64; 3]>::as_slice));
-        flags.list("--inertia", body.inertia.as_ref().map(<[f64; 6]>::as_slice));
-    }
-    let (spin, was) = (&file.spin, &base.spin);
-    if spin != was {
-        flags.list("--omega", spin.omega.as_ref().map(<[f64; 3]>::as_slice));
-        flags.put("--axis", spin.axis);
-        flags.put("--tilt", spin.tilt_deg);
-        flags.put("--rate", spin.rate);
-    }
-    let (motion, was) = (&file.motion, &base.motion);
-    flags.changed("--method", motion.method.as_ref(), was.method.as_ref());
-    flags.changed("--step", motion.step.as_ref(), was.step.as_ref());
-    if motion.compare != was.compare && !motion.compare.is_empty() {
-        flags.put("--compare", Some(motion.compare.join(",")));
-    }
-    let (view, was) = (&file.view, &base.view);
-    let layout = |layout: Layout| match layout {
-        Layout::Both => "both",
-        Layout::World => "world",
-        Layout::Body => "body",
-    };
-    let theme = |theme: Theme| match theme {
-        Theme::Dark => "dark",
-        Theme::Light => "light",
-    };
-    flags.changed("--view", view.layout.map(layout).as_ref(), was.layout.map(layout).as_ref());
-    flags.changed("--theme", view.theme.map(theme).as_ref(), was.theme.map(theme).as_ref());
-    let without = |names: &[String], known: &[String]| -> Vec<String> {
-        names.iter().filter(|name| !known.contains(name)).cloned().collect()
-    };
-    // A name that the base shows or hides and the scene no longer does is taken back by the opposite flag.
-    let mut show = without(&view.show, &was.show);
-    show.extend(without(&was.hide, &view.hide).into_iter().filter(|name| !view.show.contains(name)));
-    let mut hide = without(&view.hide, &was.hide);
-    hide.extend(without(&was.show, &view.show).into_iter().filter(|name| !view.hide.contains(name)));
-    for (flag, names) in [("--show", show), ("--hide", hide)] {
-        if !names.is_empty() {
-            flags.put(flag, Some(names.join(",")));
+    let changes = changes(base, file);
+    let lists = added(base, file);
+    let mut flags = vec![];
+    let mut set = vec![];
+    for (key, value) in changes {
+        if !key.opposite.is_empty() && lists.is_some() {
+            continue;
+        }
+        let flag = key.flag.filter(|_| key.opposite.is_empty());
+        // Names that are taken away have a word, and nothing else that is taken away has.
+        let said = value.clone().or_else(|| (key.name == "motion.compare").then(|| Value::List(vec![])));
+        match (flag, said.and_then(|value| word::write(key.kind, &value))) {
+            (Some(flag), Some(word)) => flags.extend([format!("--{}", flag.name), word]),
+            _ => set.extend(["--set".to_owned(), pair(key, value.as_ref())]),
         }
     }
-    let switch = |is_on: bool| if is_on { "on" } else { "off" };
-    flags.changed("--labels", view.labels.map(switch).as_ref(), was.labels.map(switch).as_ref());
-    flags.changed("--font-scale", view.font_scale.as_ref(), was.font_scale.as_ref());
-    flags.changed("--azimuth", view.azimuth.as_ref(), was.azimuth.as_ref());
-    flags.changed("--elevation", view.elevation.as_ref(), was.elevation.as_ref());
-    flags.changed("--distance", view.distance.as_ref(), was.distance.as_ref());
-    for (flag, camera, was) in [
-        ("--world-camera", &view.world_camera, &was.world_camera),
-        ("--body-camera", &view.body_camera, &was.body_camera),
-    ] {
-        if camera != was {
-            flags.list(flag, camera.as_ref().map(<[f64; 6]>::as_slice));
+    flags.extend(lists.into_iter().flatten());
+    flags.extend(set);
+    flags
+}
+
+/// `KEY=VALUE` pairs, as for `--set`, that turn the scene `base` into `file`.
+pub(super) fn pairs(base: &SceneFile, file: &SceneFile) -> Vec<String> {
+    changes(base, file).iter().map(|(key, value)| pair(key, value.as_ref())).collect()
+}
+
+/// The keys under which two scenes differ, once what is given has taken the place of what it replaces.
+fn changes(base: &SceneFile, file: &SceneFile) -> Changes {
+    let mut reached = base.clone();
+    let nothing = SceneFile::default();
+    let gives = |key: &&Key| key.get(file).is_some() && key.get(file) != key.get(base);
+    for replaced in KEYS.iter().filter(gives).flat_map(|key| key.replaces) {
+        if let Some(key) = super::keys::key(replaced) {
+            key.copy(&nothing, &mut reached);
         }
     }
-    flags.0
+    let mut changes = vec![];
+    for key in KEYS {
+        let value = key.get(file);
+        // A camera in short can only be given: what else is said of it the keys below it say.
+        if value == key.get(&reached) || (key.is_short && value.is_none()) {
+            continue;
+        }
+        key.copy(file, &mut reached);
+        changes.push((key, value));
+    }
+    changes
+}
+
+/// The flags that add to the lists of names, where these alone turn those of `base` into those of `file`.
+fn added(base: &SceneFile, file: &SceneFile) -> Option<Vec<String>> {
+    let mut words = vec![];
+    for key in KEYS.iter().filter(|key| !key.opposite.is_empty()) {
+        let before = names(key, base);
+        let new: Vec<_> = names(key, file).into_iter().filter(|name| !before.contains(name)).collect();
+        if !new.is_empty() {
+            words.extend([format!("--{}", key.flag?.name), word::write(key.kind, &Value::List(new))?]);
+        }
+    }
+    let mut reached = base.clone();
+    Edits::of_words(&words).ok()?.apply(&mut reached);
+    (reached.view.show == file.view.show && reached.view.hide == file.view.hide).then_some(words)
+}
+
+/// `KEY=VALUE`, a text without quotes where it reads back so.
+fn pair(key: &Key, value: Option<&Value>) -> String {
+    let Some(value) = value else { return format!("{}=", key.name) };
+    if let Value::Text(text) = value {
+        let plain = format!("{}={text}", key.name);
+        let is_read_back = Edit::set(&plain).is_ok_and(|edit| edit.says(key, value));
+        if is_read_back && !text.contains(char::is_control) {
+            return plain;
+        }
+    }
+    format!("{}={}", key.name, value.to_toml())
 }
 
 /// Words as one line for a shell, quoted where they need it.
@@ -77,24 +97,4 @@ pub fn quoted(words: &[String]) -> String {
     let quote =
         |word: &String| if is_plain(word) { word.clone() } else { format!("'{}'", word.replace('\'', r"'\''")) };
     words.iter().map(quote).collect::<Vec<_>>().join(" ")
-}
-
-struct Flags(Vec<String>);
-
-impl Flags {
-    fn put(&mut self, flag: &str, value: Option<impl ToString>) {
-        if let Some(value) = value {
-            self.0.extend([flag.to_owned(), value.to_string()]);
-        }
-    }
-
-    fn list(&mut self, flag: &str, values: Option<&[f64]>) {
-        self.put(flag, values.map(|values| values.iter().map(f64::to_string).collect::<Vec<_>>().join(",")));
-    }
-
-    fn changed<T: ToString + PartialEq>(&mut self, flag: &str, value: Option<&T>, before: Option<&T>) {
-        if value != before {
-            self.put(flag, value.map(ToString::to_string));
-        }
-    }
 }
