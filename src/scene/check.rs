@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
+use super::value::shortened;
 use super::{CameraFile, Part, PartKind, SceneFile, View, nearest, parts};
 use crate::physics::{
     self, Body, BodyError, METHODS, Method, State, methods::DEFAULT_METHOD, number, solids::SolidError,
@@ -85,7 +86,7 @@ pub enum SceneError {
         wanted: &'static str,
     },
     /// An unknown name.
-    #[error("{kind} `{given}` is not known: {hint}")]
+    #[error("{kind} `{}` is not known: {hint}", shortened(given))]
     Unknown {
         /// What was named.
         kind: &'static str,

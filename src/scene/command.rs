@@ -98,3 +98,79 @@ pub fn quoted(words: &[String]) -> String {
         |word: &String| if is_plain(word) { word.clone() } else { format!("'{}'", word.replace('\'', r"'\''")) };
     words.iter().map(quote).collect::<Vec<_>>().join(" ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{flags, pairs, quoted};
+    use crate::scene::{SceneError, SceneFile, preset};
+
+    /// The words for what this TOML says over a built-in scene that it takes the place of, table by table.
+    fn words(base: &str, change: impl FnOnce(&mut SceneFile)) -> Result<String, SceneError> {
+        let base = preset(base)?.read()?;
+        let mut file = base.clone();
+        change(&mut file);
+        Ok(quoted(&flags(&base, &file)))
+    }
+
+    #[test]
+    fn a_flag_says_what_has_one_and_set_the_rest() -> Result<(), SceneError> {
+        assert_eq!(words("flip", |_| ())?, "");
+        assert_eq!(words("flip", |file| file.spin.rate = Some(0.1))?, "--rate 0.1");
+        assert_eq!(words("flip", |file| file.spin.rate = None)?, "--set spin.rate=");
+        assert_eq!(words("flip", |file| file.motion.step = Some(1e-300))?, "--step 1e-300");
+        assert_eq!(
+            words("flip", |file| file.spin.attitude = Some([1.0, 0.0, 0.0, -0.5]))?,
+            "--set 'spin.attitude=[1, 0, 0, -0.5]'"
+        );
+        assert_eq!(words("methods", |file| file.motion.compare.clear())?, "--compare ''");
+        assert_eq!(words("flip", |file| file.title = "It's".to_owned())?, r"--set 'title=It'\''s'");
+        assert_eq!(words("flip", |file| file.title = "\"a\"".to_owned())?, r#"--set 'title="\"a\""'"#);
+        assert_eq!(words("flip", |file| file.title = "a\nb".to_owned())?, r#"--set 'title="a\nb"'"#);
+        assert_eq!(words("flip", |file| file.view.labels = Some(false))?, "--labels off");
+        let moments = |file: &mut SceneFile| {
+            file.body = SceneFile::default().body;
+            file.body.moments = Some([1.0, 2.0, 3.0]);
+        };
+        assert_eq!(words("flip", moments)?, "--moments 1,2,3");
+        assert_eq!(
+            words("flip", |file| file.view.world_camera.distance = Some(2.0))?,
+            "--set view.world_camera.distance=2"
+        );
+        Ok(())
+    }
+
+    #[test]
+    fn lists_are_added_to_or_set() -> Result<(), SceneError> {
+        assert_eq!(words("t-handle", |file| file.view.show.push("herpolhode".to_owned()))?, "--show herpolhode");
+        assert_eq!(words("t-handle", |file| file.view.hide.push("body".to_owned()))?, "--hide body");
+        assert_eq!(words("t-handle", |file| file.view.show.clear())?, "--set view.show=");
+        let swapped = |file: &mut SceneFile| std::mem::swap(&mut file.view.show, &mut file.view.hide);
+        assert_eq!(words("t-handle", swapped)?, "--hide axis-trail");
+        Ok(())
+    }
+
+    #[test]
+    fn pairs_say_it_all() -> Result<(), SceneError> {
+        let base = preset("flip")?.read()?;
+        let mut file = base.clone();
+        file.spin.rate = Some(8.0);
+        file.view.world_camera.distance = Some(2.0);
+        assert_eq!(pairs(&base, &file), ["spin.rate=8", "view.world_camera.distance=2"]);
+        Ok(())
+    }
+
+    #[test]
+    fn words_are_quoted_where_a_shell_needs_it() {
+        for (word, line) in [
+            ("a-b_=+,./:@%9", "a-b_=+,./:@%9"),
+            ("", "''"),
+            ("a b", "'a b'"),
+            ("it's", r"'it'\''s'"),
+            ("#x", "'#x'"),
+            ("é", "'é'"),
+        ] {
+            assert_eq!(quoted(&[word.to_owned()]), line);
+        }
+        assert_eq!(quoted(&["a".to_owned(), "b".to_owned()]), "a b");
+    }
+}

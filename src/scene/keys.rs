@@ -291,3 +291,107 @@ pub fn key(name: &str) -> Option<&'static Key> {
 pub(super) fn keys_of(table: &str) -> impl Iterator<Item = &'static Key> {
     KEYS.iter().filter(move |key| key.name.strip_prefix(table).is_some_and(|rest| rest.starts_with('.')))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{KEYS, Key, SOLID_KEYS, key, keys_of};
+    use crate::scene::Kind;
+
+    /// The flags that scripts rest on, each with the key that it gives.
+    const PROMISED: [(&str, &str); 22] = [
+        ("box", "body.box"),
+        ("mass", "body.mass"),
+        ("moments", "body.moments"),
+        ("inertia", "body.inertia"),
+        ("omega", "spin.omega"),
+        ("axis", "spin.axis"),
+        ("tilt", "spin.tilt_deg"),
+        ("rate", "spin.rate"),
+        ("method", "motion.method"),
+        ("step", "motion.step"),
+        ("compare", "motion.compare"),
+        ("view", "view.layout"),
+        ("show", "view.show"),
+        ("hide", "view.hide"),
+        ("theme", "view.theme"),
+        ("labels", "view.labels"),
+        ("font-scale", "view.font_scale"),
+        ("azimuth", "view.azimuth_deg"),
+        ("elevation", "view.elevation_deg"),
+        ("distance", "view.distance"),
+        ("world-camera", "view.world_camera"),
+        ("body-camera", "view.body_camera"),
+    ];
+
+    #[test]
+    fn every_promised_flag_is_there_and_gives_its_key() {
+        for (flag, name) in PROMISED {
+            let given: Vec<_> = KEYS.iter().filter(|key| key.flag.is_some_and(|it| it.name == flag)).collect();
+            assert!(matches!(given[..], [key] if key.name == name), "--{flag}");
+        }
+    }
+
+    #[test]
+    fn the_table_holds_together() {
+        let mut names: Vec<&str> = KEYS.iter().flat_map(|key| [key.name, key.other_name]).collect();
+        names.extend(SOLID_KEYS.iter().map(|key| key.name));
+        names.retain(|name| !name.is_empty());
+        let count = names.len();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), count, "a name stands twice");
+        for row in KEYS {
+            assert!(key(row.name).is_some_and(|found| std::ptr::eq(found, row)));
+            assert!(!row.help.is_empty() && !row.help.ends_with('.'), "{}", row.name);
+            for other in row.replaces.iter().chain([&row.opposite]).filter(|name| !name.is_empty()) {
+                assert!(*other != row.name && key(other).is_some_and(|key| key.name == *other), "{}", row.name);
+            }
+            // What is said against another list is said against it both ways.
+            let opposite = key(row.opposite);
+            assert!(opposite.is_none_or(|other| other.opposite == row.name), "{}", row.name);
+        }
+        // A table is written once, so its keys stand together, and solids last: they open a table of their own.
+        let mut tables: Vec<&str> = KEYS.iter().filter_map(|key| key.name.rsplit_once('.')).map(|it| it.0).collect();
+        tables.dedup();
+        let in_file = ["body", "spin", "motion", "view", "view.world_camera", "view", "view.body_camera"];
+        assert_eq!(tables, in_file);
+        let solids = KEYS.iter().filter(|key| key.kind == Kind::Solids);
+        assert!(solids.eq(keys_of("body").last()), "solids are the last of the body");
+    }
+
+    impl PartialEq for Key {
+        fn eq(&self, other: &Self) -> bool {
+            self.name == other.name
+        }
+    }
+
+    #[test]
+    fn keys_are_found_by_name_and_by_table() {
+        assert_eq!(key("view.azimuth").map(|key| key.name), Some("view.azimuth_deg"));
+        assert!(key("").is_none() && key("spin").is_none() && key("rate").is_none());
+        assert_eq!(keys_of("spin").count(), 5);
+        assert_eq!(keys_of("spi").count(), 0);
+        assert_eq!(keys_of("").count(), 0);
+        assert_eq!(key("view.body_camera.target").map(Key::own_name), Some("target"));
+        assert_eq!(key("title").map(Key::own_name), Some("title"));
+    }
+
+    #[test]
+    fn kinds_are_said_in_the_words_of_a_file() {
+        for (kind, words) in [
+            (Kind::Text, "a text in quotes"),
+            (Kind::Number, "a number"),
+            (Kind::Numbers(3), "an array of 3 numbers"),
+            (Kind::Whole, "a whole number"),
+            (Kind::Axis, "1 (smallest moment), 2 or 3 (largest)"),
+            (Kind::Switch, "true or false"),
+            (Kind::Choice(&["a"]), "a"),
+            (Kind::Choice(&["a", "b"]), "a or b"),
+            (Kind::Choice(&["a", "b", "c"]), "a, b or c"),
+            (Kind::Names, "an array of names in quotes"),
+            (Kind::Solids, "an array of solids, one at least"),
+        ] {
+            assert_eq!(kind.words(), words);
+        }
+    }
+}

@@ -130,3 +130,133 @@ fn time_of(text: &str) -> Result<f64, SceneError> {
         .filter(|time| time.is_finite())
         .ok_or_else(|| SceneError::Link(format!("has the time `{}`: it must be a finite number (s)", shortened(text))))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{LONGEST, is_link, packed, read, write};
+    use crate::scene::{SceneError, SceneFile, preset};
+
+    fn refused(link: &str) -> String {
+        read(link).map_or_else(|error| error.to_string(), |link| format!("{link:?}"))
+    }
+
+    #[test]
+    fn links_are_told_from_names_and_paths() {
+        for link in ["#", "#flip", "#scene=x", "https://a.org/b/#flip", "file:///a#b"] {
+            assert!(is_link(link), "{link}");
+        }
+        for word in ["", "flip", "a#b.toml", "./#x.toml", "https://a.org/", "a#b://c"] {
+            assert!(!is_link(word), "{word}");
+        }
+    }
+
+    #[test]
+    fn a_link_starts_from_a_built_in_scene() -> Result<(), SceneError> {
+        let flip = preset("flip")?.read()?;
+        for (link, name, time) in [
+            ("#flip", "flip", None),
+            ("#", "flip", None),
+            ("#?", "flip", None),
+            ("https://a.org/?embed#flip?time=2.5", "flip", Some(2.5)),
+            ("#fl%69p?&time=-1e3&", "flip", Some(-1000.0)),
+        ] {
+            let read = read(link)?;
+            assert_eq!((read.name.as_deref(), &read.file, read.time), (Some(name), &flip, time), "{link}");
+        }
+        let read = read(
+            "#t-handle?spin.rate=3&motion.compare=%5B%22rk4%22%5D&spin.attitude=[1,0,0,0]&title=a%26b%23c+d&time=1",
+        )?;
+        let file = &read.file;
+        assert_eq!(
+            (file.spin.rate, file.spin.attitude, &*file.title),
+            (Some(3.0), Some([1.0, 0.0, 0.0, 0.0]), "a&b#c+d")
+        );
+        assert_eq!((&file.motion.compare[..], read.time), (&["rk4".to_owned()][..], Some(1.0)));
+        Ok(())
+    }
+
+    #[test]
+    fn a_link_is_written_in_short_where_it_can_be() -> Result<(), SceneError> {
+        let mut file = preset("flip")?.read()?;
+        assert_eq!(write(Some("flip"), &file, None), "#flip");
+        assert_eq!(write(Some("flip"), &file, Some(2.5)), "#flip?time=2.5");
+        file.spin.rate = Some(8.0);
+        file.spin.attitude = Some([1.0, 0.0, 0.0, -0.5]);
+        let link = "#flip?spin.rate=8&spin.attitude=%5B1,%200,%200,%20-0.5%5D&time=0";
+        assert_eq!(write(Some("flip"), &file, Some(0.0)), link);
+        for name in [None, Some("nosuch")] {
+            let own = write(name, &file, Some(1.0));
+            assert!(own.starts_with("#scene=") && own.ends_with("&time=1"), "{own}");
+            let read = read(&own)?;
+            assert_eq!((read.name, read.file, read.time), (None, file.clone(), Some(1.0)));
+        }
+        // A whole scene that is shorter than what differs.
+        let methods = preset("methods")?.read()?;
+        assert!(write(Some("flip"), &methods, None).starts_with("#scene="));
+        // Nothing in it ends a link or needs quotes in a page.
+        let all = write(Some("flip"), &file, Some(1.0)) + &write(None, &methods, None);
+        assert!(all.chars().all(|c| c.is_ascii_alphanumeric() || "#?&=%-_.,:".contains(c)), "{all}");
+        Ok(())
+    }
+
+    #[test]
+    fn what_is_no_link_is_refused_in_one_sentence() {
+        for (link, sentence) in [
+            ("flip", "the link has no #, from which on it would say the scene"),
+            ("#flop", "scene `flop` is not known: the nearest is `flip`"),
+            (
+                "#../../etc/passwd",
+                "scene `../../etc/passwd` is not known: `dzhanibekov scenes` lists them, or give the path of a .toml file",
+            ),
+            ("#flip?spin.rat=1", "unknown key `spin.rat`; the nearest known key is `spin.rate`"),
+            ("#flip?spin.rate=x", "spin.rate is `x`: it must be a number (rad/s)"),
+            ("#flip?spin.rate", "the link has `spin.rate` without a value"),
+            (
+                "#flip?scene=abc",
+                "unknown key `scene`; known here are title, text, question, order, body, spin, motion, view",
+            ),
+            ("#flip?time=", "the link has the time ``: it must be a finite number (s)"),
+            ("#flip?time=soon", "the link has the time `soon`: it must be a finite number (s)"),
+            ("#flip?time=inf", "the link has the time `inf`: it must be a finite number (s)"),
+            ("#flip?title=%ff", "the link has `%ff`, which is no UTF-8"),
+            ("#%ff", "the link has `%ff`, which is no UTF-8"),
+            ("#scene=", "the link is cut off or changed: its scene cannot be unpacked"),
+            ("#scene=!!!", "the link is cut off or changed: its scene cannot be unpacked"),
+            ("#scene=abcd", "the link is cut off or changed: its scene cannot be unpacked"),
+        ] {
+            assert_eq!(refused(link), sentence, "{link}");
+        }
+    }
+
+    #[test]
+    fn a_link_that_is_cut_off_or_too_long_is_refused() {
+        let file = SceneFile { title: "A title".to_owned(), ..SceneFile::default() };
+        let whole = write(None, &file, None);
+        for cut in "#scene=".len()..whole.len() {
+            assert!(read(&whole[..cut]).is_err(), "{cut} of {}", whole.len());
+        }
+        let long = format!("#flip?title={}", "x".repeat(LONGEST - "flip?title=".len()));
+        assert!(read(&long).is_ok());
+        assert_eq!(
+            refused(&(long + "x")),
+            format!("the link is {} bytes long, and at most {LONGEST} are read", LONGEST + 1)
+        );
+        // A short link whose scene would fill the memory.
+        let bomb = SceneFile { text: "x".repeat(1 << 21), ..SceneFile::default() };
+        let bomb = format!("#scene={}", packed(&bomb));
+        assert!(bomb.len() < 10_000 && refused(&bomb).contains("cannot be unpacked"));
+        let half = SceneFile { text: "x".repeat(1 << 19), ..SceneFile::default() };
+        assert!(read(&write(None, &half, None)).is_ok_and(|link| link.file == half));
+    }
+
+    #[test]
+    fn a_packed_text_that_is_no_scene_says_why() {
+        use base64::Engine as _;
+        let packed = |text: &[u8]| super::URL_SAFE_NO_PAD.encode(miniz_oxide::deflate::compress_to_vec_zlib(text, 6));
+        let link = format!("#scene={}", packed(b"\nspin.rat = 3"));
+        let why =
+            "the link holds a scene with a fault: line 2: unknown key `spin.rat`; the nearest known key is `spin.rate`";
+        assert_eq!(refused(&link), why);
+        assert!(refused(&format!("#scene={}", packed(b"title = '\xff'"))).contains("cannot be unpacked"));
+    }
+}

@@ -179,3 +179,70 @@ fn in_range(text: &str) -> Value {
         _ => Value::Beyond(text.to_owned()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Entry, Item, Value, shortened};
+    use crate::scene::SceneFile;
+
+    #[test]
+    fn values_are_written_as_toml_has_them() {
+        let number = |value: f64| Item { value: Value::Number(value), start: 3 };
+        let table = Value::Table(vec![
+            Entry { key: "a".to_owned(), start: 1, item: number(1.0) },
+            Entry { key: "b".to_owned(), start: 2, item: number(-0.0) },
+        ]);
+        for (value, toml) in [
+            (Value::Text("a\"b\\c\n\t\r\u{1}é\u{7f}".to_owned()), r#""a\"b\\c\n\t\r\u0001é\u007F""#),
+            (Value::Number(0.1), "0.1"),
+            (Value::Number(f64::NAN), "nan"),
+            (Value::Number(f64::NEG_INFINITY), "-inf"),
+            (Value::Whole(-3), "-3"),
+            (Value::Switch(true), "true"),
+            (Value::Beyond("1e400".to_owned()), "1e400"),
+            (Value::Date("1979-05-27".to_owned()), "1979-05-27"),
+            (Value::List(vec![]), "[]"),
+            (Value::List(vec![number(1.0), number(2.5)]), "[1, 2.5]"),
+            (table, "{ a = 1, b = -0.0 }"),
+        ] {
+            assert_eq!(value.to_toml(), toml);
+        }
+    }
+
+    #[test]
+    fn values_are_equal_wherever_they_stand() {
+        let item = |value, start| Item { value: Value::Whole(value), start };
+        assert!(item(1, 2) == item(1, 3) && item(1, 2) != item(2, 2));
+        let entry = |key: &str, value| Entry { key: key.to_owned(), start: 0, item: item(value, 0) };
+        assert!(entry("a", 1) == Entry { start: 5, ..entry("a", 1) });
+        assert!(entry("a", 1) != entry("b", 1) && entry("a", 1) != entry("a", 2));
+    }
+
+    #[test]
+    fn a_text_is_cut_past_forty_characters() {
+        assert_eq!(shortened(&"é".repeat(40)), "é".repeat(40));
+        assert_eq!(shortened(&"é".repeat(41)), "é".repeat(40) + "…");
+        assert_eq!(shortened("a\"b\nc"), "a'b\\nc");
+    }
+
+    #[test]
+    fn numbers_of_every_spelling_are_read() {
+        for (written, value) in [
+            ("1_000", 1000.0),
+            ("0xff", 255.0),
+            ("0b11", 3.0),
+            ("99999999999999999999", 1e20),
+            ("-99999999999999999999", -1e20),
+            ("+inf", f64::INFINITY),
+            ("-1.5e-3", -0.0015),
+            ("5e-324", 5e-324),
+        ] {
+            let file = SceneFile::parse(&format!("spin.rate = {written}"));
+            assert_eq!(file.map(|file| file.spin.rate), Ok(Some(value)), "{written}");
+        }
+        assert!(SceneFile::parse("spin.rate = nan").is_ok_and(|file| file.spin.rate.is_some_and(f64::is_nan)));
+        let beyond = "line 1: spin.rate is the number 0xffffffffffffffffff, past the range of numbers: it must be a number (rad/s)";
+        let refused = SceneFile::parse("spin.rate = 0xffffffffffffffffff").map_err(|error| error.to_string());
+        assert_eq!(refused.err().as_deref(), Some(beyond));
+    }
+}

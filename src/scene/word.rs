@@ -66,3 +66,53 @@ fn one_number(word: &str) -> Result<f64, String> {
         Err(_) => Err(format!("`{}` is not a number", shortened(word))),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Kind, Value, read, write};
+
+    #[test]
+    fn words_are_read_and_written() -> Result<(), String> {
+        let names =
+            |names: &[&str]| Value::List(names.iter().map(|name| Value::Text((*name).to_owned()).into()).collect());
+        let numbers =
+            |numbers: &[f64]| Value::List(numbers.iter().map(|number| Value::Number(*number).into()).collect());
+        for (kind, word, value) in [
+            (Kind::Text, "buss", Value::Text("buss".to_owned())),
+            (Kind::Choice(&["dark"]), "dark", Value::Text("dark".to_owned())),
+            (Kind::Number, "-2.5", Value::Number(-2.5)),
+            (Kind::Number, "1e-300", Value::Number(1e-300)),
+            (Kind::Number, "inf", Value::Number(f64::INFINITY)),
+            (Kind::Numbers(3), "1,-2,3e20", numbers(&[1.0, -2.0, 3e20])),
+            (Kind::Whole, "-7", Value::Whole(-7)),
+            (Kind::Axis, "3", Value::Whole(3)),
+            (Kind::Switch, "on", Value::Switch(true)),
+            (Kind::Switch, "off", Value::Switch(false)),
+            (Kind::Names, "", names(&[])),
+            (Kind::Names, "a", names(&["a"])),
+            (Kind::Names, "a,b", names(&["a", "b"])),
+        ] {
+            assert_eq!(read(kind, word)?.value, value, "{word}");
+            assert_eq!(write(kind, &value).as_deref(), Some(word));
+        }
+        assert_eq!(read(Kind::Numbers(2), " 1 , 2 ")?.value, numbers(&[1.0, 2.0]));
+        assert_eq!(read(Kind::Names, "a, b")?.value, names(&["a", "b"]));
+        assert!(read(Kind::Number, "nan")?.value != Value::Number(0.0));
+        Ok(())
+    }
+
+    #[test]
+    fn what_no_word_says_is_not_written() {
+        let text = |text: &str| Value::Text(text.to_owned());
+        assert_eq!(write(Kind::Text, &text("-x")), None);
+        assert_eq!(write(Kind::Names, &Value::List(vec![text("-x").into()])), None);
+        assert_eq!(write(Kind::Names, &Value::List(vec![text("a,b").into()])), None);
+        assert_eq!(write(Kind::Names, &Value::List(vec![text("").into()])), None);
+        assert_eq!(write(Kind::Solids, &Value::List(vec![Value::Table(vec![]).into()])), None);
+        assert_eq!(write(Kind::Number, &text("x")), None);
+        assert_eq!(write(Kind::Text, &Value::Date("1979-05-27".to_owned())), None);
+        assert!(read(Kind::Solids, "x").is_err_and(|why| why.contains("--set body.solids")));
+        assert!(read(Kind::Numbers(2), "1,2,x").is_err_and(|why| why == "`x` is not a number"));
+        assert!(read(Kind::Numbers(2), "-1e999,2").is_err_and(|why| why.contains("past the range")));
+    }
+}

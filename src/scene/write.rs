@@ -58,3 +58,56 @@ fn in_lines(text: &str) -> String {
     toml.push_str("\"\"\"");
     toml
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::{SceneError, SceneFile};
+
+    #[test]
+    fn a_scene_is_written_as_a_person_would() -> Result<(), SceneError> {
+        let text = r#"title = "A \"b\""
+text = """
+First line.
+Second \\ \"\"\" line."""
+order = 3
+
+[body]
+form = "ellipsoid"
+
+[[body.solids]]
+kind = "box"
+size = [1, 2, 3]
+position = [0, 0, 0]
+rotation_deg = [0, 0, 0]
+density = 1000
+
+[[body.solids]]
+kind = "cylinder"
+size = [1, 1, 2.5]
+position = [0, 0, 1e-9]
+rotation_deg = [0, 90, 0]
+density = 2700
+
+[spin]
+axis = 2
+rate = 6
+
+[motion]
+compare = ["rk4", "buss"]
+
+[view]
+labels = true
+
+[view.world_camera]
+azimuth_deg = -60
+target = [0, 0, 0.5]
+
+[view.body_camera]
+distance = 2
+"#;
+        let file = SceneFile::parse(text)?;
+        assert_eq!(file.to_toml(), text);
+        assert_eq!(SceneFile::default().to_toml(), "");
+        Ok(())
+    }
+}
