@@ -1,4 +1,4 @@
-//! `scenes` and `methods`: what there is, a line each.
+//! `scenes`, `methods`, `keys` and `objects`: what there is, a line each.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -7,7 +7,7 @@ use clap::Args;
 use dzhanibekov::files;
 use dzhanibekov::physics::METHODS;
 use dzhanibekov::physics::methods::{Keeps, Order};
-use dzhanibekov::scene::presets;
+use dzhanibekov::scene::{KEYS, SOLID_KEYS, presets};
 use serde_json::json;
 
 use super::failure::Failure;
@@ -81,6 +81,55 @@ pub(super) fn methods(arguments: &ListArguments) -> Result<(), Failure> {
         ]
     });
     print(&table(rows))
+}
+
+/// `keys`: whatever a scene file can say, with type, unit and flag.
+pub(super) fn keys(arguments: &ListArguments) -> Result<(), Failure> {
+    let of_scene = KEYS.iter().map(|key| (key.name, key.kind, key.unit, key.help, key.flag));
+    let of_solid = SOLID_KEYS.iter().map(|key| (key.name, key.kind, key.unit, key.help, key.flag));
+    let rows = of_scene.chain(of_solid);
+    if arguments.json {
+        let list: Vec<_> = rows
+            .map(|(name, kind, unit, help, flag)| {
+                let flag = flag.map(|flag| format!("--{}", flag.name));
+                json!({ "name": name, "type": kind.words(), "unit": unit, "flag": flag, "help": help })
+            })
+            .collect();
+        return print(&format!("{:#}\n", json!(list)));
+    }
+    print(&table(rows.map(|(name, kind, unit, help, flag)| {
+        let unit = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
+        [
+            name.to_owned(),
+            format!("{}{unit}", kind.words()),
+            flag.map_or_else(String::new, |flag| format!("--{}", flag.name)),
+            help.to_owned(),
+        ]
+    })))
+}
+
+/// `objects`: what can be drawn.
+#[cfg(feature = "picture")]
+pub(super) fn objects(arguments: &ListArguments) -> Result<(), Failure> {
+    use dzhanibekov::objects::{OBJECTS, Space};
+    let space = |space| match space {
+        Space::World => "world",
+        Space::Body => "body",
+    };
+    if arguments.json {
+        let list: Vec<_> = OBJECTS
+            .iter()
+            .map(|object| {
+                json!({ "name": object.name, "label": object.label, "view": space(object.space), "shown": object.shown,
+                        "about": object.about })
+            })
+            .collect();
+        return print(&format!("{:#}\n", json!(list)));
+    }
+    print(&table(OBJECTS.iter().map(|object| {
+        let shown = if object.shown { "shown" } else { "not shown" };
+        [object.name, space(object.space), shown, object.label, object.about]
+    })))
 }
 
 /// Rows with their columns flush, two blanks apart.

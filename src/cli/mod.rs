@@ -2,6 +2,7 @@
 
 mod arguments;
 mod failure;
+mod flags;
 mod lists;
 mod manual;
 mod output;
@@ -17,12 +18,14 @@ mod signal;
 mod times;
 mod trace;
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use arguments::{SceneArguments, ViewArguments};
+use arguments::SceneArguments;
 use failure::Failure;
+use flags::ViewFlags;
 
 /// See, teach and measure how a free rigid body turns: the Dzhanibekov effect (tennis-racket theorem).
 ///
@@ -47,7 +50,7 @@ struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
     #[command(flatten)]
-    view: ViewArguments,
+    view: ViewFlags,
     /// Size of the window in pixels
     #[arg(long, value_name = "WxH", help_heading = "Picture")]
     size: Option<String>,
@@ -101,6 +104,17 @@ enum Command {
   dzhanibekov methods
   dzhanibekov methods --json")]
     Methods(lists::ListArguments),
+    /// List the keys of a scene file, which --set takes
+    #[command(after_help = "Examples:
+  dzhanibekov keys
+  dzhanibekov keys --json")]
+    Keys(lists::ListArguments),
+    #[cfg(feature = "picture")]
+    /// List the things that can be drawn, which --show and --hide take
+    #[command(after_help = "Examples:
+  dzhanibekov objects
+  dzhanibekov objects --json")]
+    Objects(lists::ListArguments),
     #[cfg(feature = "headless")]
     /// List the graphics adapters
     #[command(after_help = "Examples:
@@ -125,7 +139,7 @@ enum Command {
 
 /// Runs the program and turns its outcome into the exit code: 0 done, 1 it could not, 2 the request was wrong.
 pub(crate) fn main() -> ExitCode {
-    let outcome = match Arguments::try_parse() {
+    let outcome = match Arguments::try_parse_from(scene_last(std::env::args_os())) {
         Ok(arguments) => run(arguments),
         Err(error) => match failure::of_command_line(&error) {
             Some(failure) => Err(failure),
@@ -144,6 +158,19 @@ pub(crate) fn main() -> ExitCode {
     }
 }
 
+/// The words of a command line with a scene that follows `--` put at the end, so that flags may stand after it:
+/// `-- methods --size 1280x720` opens the scene that is named like a command.
+fn scene_last(words: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    let mut words: Vec<OsString> = words.collect();
+    if let Some(dashes) = words.iter().position(|word| word == "--")
+        && words.len() > dashes + 2
+    {
+        // The two words `--` and the scene's name.
+        words[dashes..].rotate_left(2);
+    }
+    words
+}
+
 fn run(arguments: Arguments) -> Result<(), Failure> {
     match arguments.command {
         None => window(&arguments),
@@ -156,6 +183,9 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Report(report)) => report::run(&report),
         Some(Command::Scenes(list)) => lists::scenes(&list),
         Some(Command::Methods(list)) => lists::methods(&list),
+        Some(Command::Keys(list)) => lists::keys(&list),
+        #[cfg(feature = "picture")]
+        Some(Command::Objects(list)) => lists::objects(&list),
         #[cfg(feature = "headless")]
         Some(Command::Adapters(list)) => picture::adapters(&list),
         Some(Command::Man) => manual::man(),
@@ -168,8 +198,6 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
     {
         quiet_driver::keep_quiet();
         let (scene, slides) = arguments.scene.slides(&arguments.view, arguments.quiet)?;
-        #[cfg(feature = "headless")]
-        picture::check_objects(&scene)?;
         let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
         let adapter = arguments.adapter.clone();
         let options = dzhanibekov::app::WindowOptions { size, adapter, slides };

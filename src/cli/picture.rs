@@ -5,11 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use dzhanibekov::files;
 use dzhanibekov::headless::{HeadlessError, ShotOptions, shot as draw};
-use dzhanibekov::objects::{OBJECTS, object_named};
 use dzhanibekov::physics::Method;
 use dzhanibekov::render::png::Remark;
 use dzhanibekov::render::{self, Gpu};
-use dzhanibekov::scene::{Scene, nearest, quoted};
+use dzhanibekov::scene::{Scene, quoted};
 use dzhanibekov::sim::Simulation;
 use serde_json::json;
 
@@ -50,8 +49,8 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     check_place(&arguments.output)?;
     check_ending(&arguments.output)?;
     let mut simulation = Simulation::new(&scene);
-    if picture.time != 0.0 {
-        simulation.go_to(picture.time);
+    if picture.time() != 0.0 {
+        simulation.go_to(picture.time());
     }
     if let Some(error) = simulation.main().failure() {
         return Err(Failure::could(error.to_string()));
@@ -60,16 +59,16 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     #[cfg(feature = "window")]
     if arguments.panel {
         let options = options(picture);
-        let mut notes = notes(picture, &scene, &words, picture.time);
+        let mut notes = notes(picture, &scene, &words, picture.time());
         if let Some((_, command)) = notes.last_mut() {
             command.push_str(" --panel");
         }
-        let pixels = dzhanibekov::app::with_panels(&gpu, scene, picture.time, options.size)
+        let pixels = dzhanibekov::app::with_panels(&gpu, scene, picture.time(), options.size)
             .map_err(|error| Failure::could(error.to_string()))?;
         let bytes = render::png::encode(&pixels, false, &notes).map_err(HeadlessError::from)?;
         return Ok(files::write(&arguments.output, &bytes)?);
     }
-    let bytes = draw(&gpu, &scene, &simulation, &options(picture), &notes(picture, &scene, &words, picture.time))?;
+    let bytes = draw(&gpu, &scene, &simulation, &options(picture), &notes(picture, &scene, &words, picture.time()))?;
     Ok(files::write(&arguments.output, &bytes)?)
 }
 
@@ -88,11 +87,10 @@ fn check_ending(output: &Path) -> Result<(), Failure> {
 /// The scene of a picture, checked, and the words of a command line that name it.
 pub(super) fn picture_scene(picture: &PictureArguments) -> Result<(Scene, Vec<String>), Failure> {
     let (scene, words) = picture.scene.named_scene(Some(&picture.view), picture.quiet)?;
-    check_objects(&scene)?;
-    if !picture.time.is_finite() {
-        return Err(Failure::request(format!("--time {} is not finite", picture.time)));
+    if !picture.time().is_finite() {
+        return Err(Failure::request(format!("--time {} is not finite", picture.time())));
     }
-    check_steps(&scene, &format!("--time {}", short(picture.time)), picture.time, followed(&scene))?;
+    check_steps(&scene, &format!("--time {}", short(picture.time())), picture.time(), followed(&scene))?;
     Ok((scene, words))
 }
 
@@ -133,21 +131,6 @@ pub(super) fn notes(picture: &PictureArguments, scene: &Scene, words: &[String],
         ("Description", format!("t = {} s", short(time))),
         ("Comment", quoted(&command)),
     ]
-}
-
-/// Refuses names of objects that do not exist.
-pub(super) fn check_objects(scene: &Scene) -> Result<(), Failure> {
-    for name in scene.view.show.iter().chain(&scene.view.hide) {
-        if object_named(name).is_none() {
-            let known = OBJECTS.iter().map(|object| object.name);
-            let hint = match nearest(name, known.clone()) {
-                Some(near) => format!("the nearest is `{near}`"),
-                None => format!("there are {}", known.collect::<Vec<_>>().join(", ")),
-            };
-            return Err(Failure::request(format!("object `{name}` is not known: {hint}")));
-        }
-    }
-    Ok(())
 }
 
 /// `adapters`: what there is to draw with.

@@ -8,6 +8,8 @@ use dzhanibekov::files;
 use dzhanibekov::physics::{Integration, METHODS, Method};
 use dzhanibekov::scene::Scene;
 
+pub(super) use dzhanibekov::physics::number as short;
+
 use super::arguments::number_list;
 use super::failure::Failure;
 
@@ -197,16 +199,6 @@ pub(super) fn check_steps<'a>(
         )));
     }
     Ok(())
-}
-
-/// A number with its shortest digits that read back to it: no rows of zeros.
-pub(super) fn short(value: f64) -> String {
-    let size = value.abs();
-    if size == 0.0 || (1e-4..1e7).contains(&size) || !size.is_finite() {
-        value.to_string()
-    } else {
-        format!("{value:e}")
-    }
 }
 
 /// A count in two digits.

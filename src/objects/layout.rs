@@ -1,10 +1,10 @@
 //! Which part of the picture shows which space, and from where.
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 use crate::camera::Camera;
 use crate::frame::Area;
-use crate::scene::{self, Layout};
+use crate::scene::{self, CameraFile, Layout};
 
 /// The two spaces a picture can show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,18 +34,15 @@ pub fn areas(layout: Layout, aspect: f32) -> Vec<(Space, Area)> {
 const WORLD_DISTANCE: f32 = 6.2;
 const BODY_DISTANCE: f32 = 6.7;
 
-/// A camera as a scene sets it (see [`scene::View::world_camera`]), where this distance frames everything.
-fn set(setting: [f64; 6], distance: f32) -> Camera {
-    let [azimuth_deg, elevation_deg, factor, x, y, z] = setting.map(|value| value as f32);
-    let camera = Camera::new(azimuth_deg.to_radians(), elevation_deg.to_radians(), factor * distance);
-    Camera { target: Vec3::new(x, y, z), ..camera }
-}
-
-/// What sets a camera as it is: the opposite of [`set`], to a hundredth of a pixel.
-fn setting(camera: &Camera, distance: f32) -> [f64; 6] {
-    let Vec3 { x, y, z } = camera.target;
-    let exact = [camera.azimuth.to_degrees(), camera.elevation.to_degrees(), camera.distance / distance, x, y, z];
-    exact.map(|value| (f64::from(value) * 1e4).round() / 1e4)
+/// What sets a camera as it is, to a hundredth of a pixel, where this distance frames everything.
+fn setting(camera: &Camera, distance: f32) -> CameraFile {
+    let rounded = |value: f32| (f64::from(value) * 1e4).round() / 1e4;
+    CameraFile {
+        azimuth_deg: Some(rounded(camera.azimuth.to_degrees())),
+        elevation_deg: Some(rounded(camera.elevation.to_degrees())),
+        distance: Some(rounded(camera.distance / distance)),
+        target: Some(camera.target.to_array().map(rounded)),
+    }
 }
 
 /// The cameras of both spaces.
@@ -61,19 +58,20 @@ impl Cameras {
     /// As a scene sets them; the distance is a factor on the one that frames everything.
     #[must_use]
     pub fn new(view: &scene::View) -> Self {
-        let camera = |azimuth_deg: f32, elevation_deg: f32, distance: f32, target: Vec3| {
-            let azimuth = view.azimuth_deg.map_or(azimuth_deg, |given| given as f32).to_radians();
-            let elevation = view.elevation_deg.map_or(elevation_deg, |given| given as f32).to_radians();
-            let distance = view.distance.map_or(1.0, |given| given as f32) * distance;
+        // What is said of one camera goes before what is said of both.
+        let camera = |own: &CameraFile, azimuth_deg: f32, elevation_deg: f32, distance: f32, height: f32| {
+            let given = |own: Option<f64>, of_both: Option<f64>, usual: f32| {
+                own.or(of_both).map_or(usual, |given| given as f32)
+            };
+            let azimuth = given(own.azimuth_deg, view.azimuth_deg, azimuth_deg).to_radians();
+            let elevation = given(own.elevation_deg, view.elevation_deg, elevation_deg).to_radians();
+            let distance = given(own.distance, view.distance, 1.0) * distance;
+            let target = own.target.map_or(Vec3::new(0.0, 0.0, height), |target| DVec3::from_array(target).as_vec3());
             Camera { target, ..Camera::new(azimuth, elevation, distance) }
         };
-        let usual = Self {
-            world: camera(-60.0, 16.0, WORLD_DISTANCE, Vec3::new(0.0, 0.0, 0.2)),
-            body: camera(54.0, 22.0, BODY_DISTANCE, Vec3::new(0.0, 0.0, 0.19)),
-        };
         Self {
-            world: view.world_camera.map_or(usual.world, |setting| set(setting, WORLD_DISTANCE)),
-            body: view.body_camera.map_or(usual.body, |setting| set(setting, BODY_DISTANCE)),
+            world: camera(&view.world_camera, -60.0, 16.0, WORLD_DISTANCE, 0.2),
+            body: camera(&view.body_camera, 54.0, 22.0, BODY_DISTANCE, 0.19),
         }
     }
 
@@ -81,10 +79,10 @@ impl Cameras {
     pub fn write(&self, view: &scene::View, file: &mut scene::ViewFile) {
         let before = Self::new(view);
         if self.world != before.world {
-            file.world_camera = Some(setting(&self.world, WORLD_DISTANCE));
+            file.world_camera = setting(&self.world, WORLD_DISTANCE);
         }
         if self.body != before.body {
-            file.body_camera = Some(setting(&self.body, BODY_DISTANCE));
+            file.body_camera = setting(&self.body, BODY_DISTANCE);
         }
     }
 

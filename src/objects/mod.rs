@@ -6,6 +6,7 @@ mod arrow;
 mod axes;
 mod body;
 mod body_axes;
+mod check;
 mod context;
 mod curve;
 mod floor;
@@ -23,9 +24,10 @@ mod vectors;
 
 use crate::camera::Camera;
 use crate::frame::{Frame, View};
-use crate::scene::{self, Scene, SceneError, SceneFile};
+use crate::scene::{self, Scene};
 use crate::sim::Simulation;
 
+pub use check::check;
 pub use context::Context;
 pub use ghosts::method_color;
 pub use layout::{Cameras, Space, areas};
@@ -41,6 +43,8 @@ pub struct Object {
     pub space: Space,
     /// Whether it is shown where nobody says otherwise.
     pub shown: bool,
+    /// What it is, in one sentence.
+    pub about: &'static str,
     /// Adds it to a view of that space.
     draw: fn(&Context<'_>, &mut View),
 }
@@ -51,49 +55,203 @@ const fn object(
     space: Space,
     shown: bool,
     draw: fn(&Context<'_>, &mut View),
+    about: &'static str,
 ) -> Object {
-    Object { name, label, space, shown, draw }
+    Object { name, label, space, shown, about, draw }
 }
 
 /// All objects, in the order in which they are added.
 pub static OBJECTS: &[Object] = &[
-    object("shadow", "Shadow", Space::World, true, floor::shadow),
-    object("plane", "Invariable plane", Space::World, true, floor::plane),
-    object("annulus", "Annulus of the herpolhode", Space::World, false, floor::annulus),
-    object("herpolhode", "Herpolhode", Space::World, false, floor::herpolhode),
-    object("rolling-ellipsoid", "Poinsot's rolling ellipsoid", Space::World, false, floor::rolling_ellipsoid),
-    object("rolling-sphere", "Rolling momentum sphere", Space::World, false, body_axes::carried_sphere),
-    object("axis-trail", "Trail of the spin axis", Space::World, false, body_axes::trail),
-    object("axis-1-trail", "Trail of axis 1", Space::World, false, body_axes::trail_of_axis::<0>),
-    object("axis-2-trail", "Trail of axis 2", Space::World, false, body_axes::trail_of_axis::<1>),
-    object("axis-3-trail", "Trail of axis 3", Space::World, false, body_axes::trail_of_axis::<2>),
-    object("body", "Body", Space::World, true, body::draw),
-    object("axis-names", "Numbers of the axes", Space::World, true, body_axes::names),
-    object("body-axes", "Axes of the body", Space::World, false, body_axes::axes),
-    object("ghosts", "Bodies of the other methods", Space::World, true, ghosts::bodies),
-    object("momentum", "Angular momentum L", Space::World, true, vectors::momentum),
-    object("omega", "Angular velocity ω", Space::World, true, vectors::angular_velocity),
-    object("world-notes", "Words about the world", Space::World, true, notes::world),
-    object("sphere", "Sphere |M| = |L|", Space::Body, true, surfaces::sphere),
-    object("ellipsoid", "Energy ellipsoid", Space::Body, true, surfaces::ellipsoid),
-    object("axes", "Principal axes", Space::Body, true, axes::axes),
-    object("level-sets", "Levels of the energy", Space::Body, true, level_sets::draw),
-    object("separatrix", "Separatrix", Space::Body, true, separatrix::draw),
-    object("poles", "Steady spins", Space::Body, true, axes::poles),
-    object("polhode", "Polhode", Space::Body, true, polhode::draw),
-    object("ghost-marks", "M of the other methods", Space::Body, true, ghosts::marks),
-    object("tail", "Tail of M", Space::Body, true, tip::tail),
-    object("tip", "Tip of M", Space::Body, true, tip::tip),
-    object("body-notes", "Words about the momentum sphere", Space::Body, true, notes::body),
+    object(
+        "shadow",
+        "Shadow",
+        Space::World,
+        true,
+        floor::shadow,
+        "What the body would throw on the floor in light from above",
+    ),
+    object(
+        "plane",
+        "Invariable plane",
+        Space::World,
+        true,
+        floor::plane,
+        "The floor: the plane across L on which the ellipsoid of inertia rolls",
+    ),
+    object(
+        "annulus",
+        "Annulus of the herpolhode",
+        Space::World,
+        false,
+        floor::annulus,
+        "The ring of the plane within which the herpolhode stays",
+    ),
+    object(
+        "herpolhode",
+        "Herpolhode",
+        Space::World,
+        false,
+        floor::herpolhode,
+        "The path of the point of contact on the plane",
+    ),
+    object(
+        "rolling-ellipsoid",
+        "Poinsot's rolling ellipsoid",
+        Space::World,
+        false,
+        floor::rolling_ellipsoid,
+        "The ellipsoid of inertia, which rolls on the plane without slipping",
+    ),
+    object(
+        "rolling-sphere",
+        "Rolling momentum sphere",
+        Space::World,
+        false,
+        body_axes::carried_sphere,
+        "The momentum sphere carried by the body, with the polhode on it",
+    ),
+    object(
+        "axis-trail",
+        "Trail of the spin axis",
+        Space::World,
+        false,
+        body_axes::trail,
+        "The path of the tip of the axis that the body was spun about",
+    ),
+    object(
+        "axis-1-trail",
+        "Trail of axis 1",
+        Space::World,
+        false,
+        body_axes::trail_of_axis::<0>,
+        "The path of the tip of the axis of the smallest moment",
+    ),
+    object(
+        "axis-2-trail",
+        "Trail of axis 2",
+        Space::World,
+        false,
+        body_axes::trail_of_axis::<1>,
+        "The path of the tip of the axis of the middle moment",
+    ),
+    object(
+        "axis-3-trail",
+        "Trail of axis 3",
+        Space::World,
+        false,
+        body_axes::trail_of_axis::<2>,
+        "The path of the tip of the axis of the largest moment",
+    ),
+    object("body", "Body", Space::World, true, body::draw, "The body itself, its faces and edges"),
+    object(
+        "axis-names",
+        "Numbers of the axes",
+        Space::World,
+        true,
+        body_axes::names,
+        "The numbers 1, 2, 3 at the ends of the body's axes",
+    ),
+    object(
+        "body-axes",
+        "Axes of the body",
+        Space::World,
+        false,
+        body_axes::axes,
+        "The principal axes of the body, out of its faces",
+    ),
+    object(
+        "ghosts",
+        "Bodies of the other methods",
+        Space::World,
+        true,
+        ghosts::bodies,
+        "The bodies of the methods that are compared, seen through",
+    ),
+    object(
+        "momentum",
+        "Angular momentum L",
+        Space::World,
+        true,
+        vectors::momentum,
+        "The arrow of the angular momentum, which never moves",
+    ),
+    object(
+        "omega",
+        "Angular velocity ω",
+        Space::World,
+        true,
+        vectors::angular_velocity,
+        "The arrow of the angular velocity, which swings about L",
+    ),
+    object(
+        "world-notes",
+        "Words about the world",
+        Space::World,
+        true,
+        notes::world,
+        "The caption over the world and the legend of the methods",
+    ),
+    object(
+        "sphere",
+        "Sphere |M| = |L|",
+        Space::Body,
+        true,
+        surfaces::sphere,
+        "The sphere that the tip of M cannot leave, for |M| stays the same",
+    ),
+    object(
+        "ellipsoid",
+        "Energy ellipsoid",
+        Space::Body,
+        true,
+        surfaces::ellipsoid,
+        "The ellipsoid of all momenta of the same energy",
+    ),
+    object("axes", "Principal axes", Space::Body, true, axes::axes, "The principal axes through momentum space"),
+    object(
+        "level-sets",
+        "Levels of the energy",
+        Space::Body,
+        true,
+        level_sets::draw,
+        "The paths of M at other energies, on the sphere",
+    ),
+    object(
+        "separatrix",
+        "Separatrix",
+        Space::Body,
+        true,
+        separatrix::draw,
+        "The two circles' border between paths about axis 1 and about axis 3",
+    ),
+    object(
+        "poles",
+        "Steady spins",
+        Space::Body,
+        true,
+        axes::poles,
+        "The six steady spins: stable ones dots, unstable ones crosses",
+    ),
+    object("polhode", "Polhode", Space::Body, true, polhode::draw, "The path of M: where sphere and ellipsoid cross"),
+    object(
+        "ghost-marks",
+        "M of the other methods",
+        Space::Body,
+        true,
+        ghosts::marks,
+        "The tips of M of the methods that are compared",
+    ),
+    object("tail", "Tail of M", Space::Body, true, tip::tail, "The way that the tip of M has just come"),
+    object("tip", "Tip of M", Space::Body, true, tip::tip, "The tip of M, and the arrow to it"),
+    object(
+        "body-notes",
+        "Words about the momentum sphere",
+        Space::Body,
+        true,
+        notes::body,
+        "The caption over momentum space",
+    ),
 ];
-
-/// Checks a scene: the one way in for every text that becomes a picture.
-///
-/// # Errors
-/// See [`SceneError`].
-pub fn check(file: &SceneFile) -> Result<Scene, SceneError> {
-    Scene::check(file)
-}
 
 /// Looks an object up by its name.
 #[must_use]

@@ -4,6 +4,7 @@ use glam::{DMat3, DVec3};
 
 use super::double_double::power_of_two_of;
 use super::dyadic::Dyadic;
+use super::number;
 use super::principal::{self, Principal, Tensor};
 
 /// A body's inertia (kg m²) about its centre of mass, with the principal moments `I₁ ≤ I₂ ≤ I₃` and axes.
@@ -22,22 +23,22 @@ pub struct Body {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BodyError {
     /// An edge length is not finite and positive.
-    #[error("edge {0} m is not a length: every edge must be finite and above 0")]
+    #[error("edge {} m is not a length: every edge must be finite and above 0", number(*.0))]
     Edge(f64),
     /// The mass is not finite and positive.
-    #[error("mass {0} kg is not a mass: it must be finite and above 0")]
+    #[error("mass {} kg is not a mass: it must be finite and above 0", number(*.0))]
     Mass(f64),
     /// A principal moment is not finite and positive.
-    #[error("moment {0} kg m² is not a moment of inertia: every moment must be finite and above 0")]
+    #[error("moment {} kg m² is not a moment of inertia: every moment must be finite and above 0", number(*.0))]
     Moment(f64),
     /// An entry of the tensor is not finite.
-    #[error("the inertia entry {0} is not finite")]
+    #[error("the inertia entry {} is not finite", number(*.0))]
     NotFinite(f64),
     /// Two mirrored entries of the tensor differ.
-    #[error("the inertia is not symmetric: {0} on one side of the diagonal, {1} on the other")]
+    #[error("the inertia is not symmetric: {} on one side of the diagonal, {} on the other", number(*.0), number(*.1))]
     NotSymmetric(f64, f64),
     /// A principal moment of the tensor is zero or negative.
-    #[error("the inertia is not positive definite: its smallest principal moment is {0}; all three must be above 0")]
+    #[error("the inertia is not positive definite: its smallest principal moment is {}; all three must be above 0", number(*.0))]
     NotPositiveDefinite(f64),
 }
 

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::{Body, BodyError, so3};
+use super::{Body, BodyError, number, so3};
 
 /// A shape about its own centre, in its own frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,16 +57,16 @@ pub enum SolidError {
     #[error("a body needs one solid at least")]
     None,
     /// A length is not finite and positive.
-    #[error("{0} m is not the size of a solid: it must be finite and above 0")]
+    #[error("{} m is not the size of a solid: it must be finite and above 0", number(*.0))]
     Size(f64),
     /// A density is not finite and positive.
-    #[error("{0} kg/m³ is not a density: it must be finite and above 0")]
+    #[error("{} kg/m³ is not a density: it must be finite and above 0", number(*.0))]
     Density(f64),
     /// A coordinate is not finite.
-    #[error("{0} m is not a position: it must be finite")]
+    #[error("{} m is not a position: it must be finite", number(*.0))]
     Position(f64),
     /// An orientation is not a rotation.
-    #[error("the orientation of a solid is not a rotation: it is off by {0}, and 1e-9 is allowed")]
+    #[error("the orientation of a solid is not a rotation: it is off by {}, and 1e-9 is allowed", number(*.0))]
     Orientation(f64),
     /// The whole is no body.
     #[error(transparent)]

@@ -2,8 +2,11 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use super::{Part, PartKind, SceneFile, View, nearest, parts};
-use crate::physics::{self, Body, BodyError, METHODS, Method, State, methods::DEFAULT_METHOD, solids::SolidError};
+use super::value::shortened;
+use super::{CameraFile, Part, PartKind, SceneFile, View, nearest, parts};
+use crate::physics::{
+    self, Body, BodyError, METHODS, Method, State, methods::DEFAULT_METHOD, number, solids::SolidError,
+};
 
 /// Step (s) of a scene that names none.
 const DEFAULT_STEP: f64 = 0.001;
@@ -34,6 +37,12 @@ pub struct Scene {
 /// Why a scene cannot be run. Each is one sentence with the value and what would be right.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
+    /// What is said over a scene is no flag of it, no `KEY=VALUE`.
+    #[error("{0}")]
+    Edit(String),
+    /// A link that holds no scene.
+    #[error("the link {0}")]
+    Link(String),
     /// The text is no scene.
     #[error("line {line}: {message}")]
     Text {
@@ -52,13 +61,13 @@ pub enum SceneError {
     #[error(transparent)]
     Solid(#[from] SolidError),
     /// A cylinder that is not round.
-    #[error("a cylinder's size {0:?} x {1:?} is not round: its first two extents are its diameter, twice the same")]
+    #[error("a cylinder's size {} x {} is not round: its first two extents are its diameter, twice the same", number(*.0), number(*.1))]
     NotRound(f64, f64),
     /// More than one description of the body.
     #[error("the body is given by {0} at once: give one of box, moments, inertia, solids")]
     TwoBodies(String),
     /// A mass with a body that is not a box.
-    #[error("mass {0:?} kg goes with a box only: moments, inertia and solids hold the mass already")]
+    #[error("mass {} kg goes with a box only: moments, inertia and solids hold the mass already", number(*.0))]
     MassWithoutBox(f64),
     /// Two descriptions of the spin.
     #[error("the spin is given by omega and by {0} at once: give omega, or axis with tilt and rate")]
@@ -67,7 +76,7 @@ pub enum SceneError {
     #[error("spin axis {0} does not exist: axes are 1 (smallest moment), 2 and 3 (largest)")]
     Axis(u8),
     /// A number out of its range.
-    #[error("{name} {value:?} is not valid: it must be {wanted}")]
+    #[error("{name} {} is not valid: it must be {wanted}", number(*.value))]
     Number {
         /// Which number.
         name: &'static str,
@@ -77,7 +86,7 @@ pub enum SceneError {
         wanted: &'static str,
     },
     /// An unknown name.
-    #[error("{kind} `{given}` is not known: {hint}")]
+    #[error("{kind} `{}` is not known: {hint}", shortened(given))]
     Unknown {
         /// What was named.
         kind: &'static str,
@@ -87,7 +96,7 @@ pub enum SceneError {
         hint: String,
     },
     /// Momentum or energy past the range of f64.
-    #[error("angular velocity {0:?} rad/s with this body is beyond the range of numbers: take a smaller one")]
+    #[error("angular velocity {} rad/s with this body is beyond the range of numbers: take a smaller one", number(*.0))]
     TooFast(f64),
 }
 
@@ -114,7 +123,9 @@ impl Scene {
             let i = self.body.principal_moments();
             format!(
                 "moments {}, {}, {}: the largest is {ratio:.3} times the sum of the others and no solid has such moments; it goes on all the same",
-                i.x, i.y, i.z
+                number(i.x),
+                number(i.y),
+                number(i.z)
             )
         });
         excess.into_iter().collect()
@@ -205,25 +216,31 @@ fn check_start(file: &SceneFile, body: &Body) -> Result<State, SceneError> {
 
 fn check_view(file: &SceneFile) -> Result<View, SceneError> {
     let view = &file.view;
-    for (name, value) in [("azimuth", view.azimuth), ("elevation", view.elevation)] {
-        if let Some(value) = value {
-            finite(name, value)?;
-        }
-    }
-    if let Some(distance) = view.distance {
-        positive("distance", distance)?;
-    }
-    for (name, distance_name, camera) in [
-        ("world camera", "distance of the world camera", view.world_camera),
-        ("body camera", "distance of the body camera", view.body_camera),
-    ] {
-        for value in camera.into_iter().flatten() {
-            finite(name, value)?;
-        }
-        if let Some([_, _, distance, ..]) = camera {
-            positive(distance_name, distance)?;
-        }
-    }
+    let both = CameraFile {
+        azimuth_deg: view.azimuth_deg,
+        elevation_deg: view.elevation_deg,
+        distance: view.distance,
+        target: None,
+    };
+    check_camera(&both, ["azimuth", "elevation", "distance", "target"])?;
+    check_camera(
+        &view.world_camera,
+        [
+            "azimuth of the world's camera",
+            "elevation of the world's camera",
+            "distance of the world's camera",
+            "target of the world's camera",
+        ],
+    )?;
+    check_camera(
+        &view.body_camera,
+        [
+            "azimuth of momentum space's camera",
+            "elevation of momentum space's camera",
+            "distance of momentum space's camera",
+            "target of momentum space's camera",
+        ],
+    )?;
     let font_scale = positive("font scale", view.font_scale.unwrap_or(1.0))?;
     if !(0.25..=8.0).contains(&font_scale) {
         return Err(SceneError::Number { name: "font scale", value: font_scale, wanted: "between 0.25 and 8" });
@@ -235,12 +252,25 @@ fn check_view(file: &SceneFile) -> Result<View, SceneError> {
         hide: view.hide.clone(),
         labels: view.labels.unwrap_or(true),
         font_scale,
-        azimuth_deg: view.azimuth,
-        elevation_deg: view.elevation,
+        azimuth_deg: view.azimuth_deg,
+        elevation_deg: view.elevation_deg,
         distance: view.distance,
         world_camera: view.world_camera,
         body_camera: view.body_camera,
     })
+}
+
+/// Checks a camera whose azimuth, elevation, distance and target have these names.
+fn check_camera(camera: &CameraFile, names: [&'static str; 4]) -> Result<(), SceneError> {
+    let [azimuth, elevation, distance, target] = names;
+    for (name, value) in [(azimuth, camera.azimuth_deg), (elevation, camera.elevation_deg)] {
+        value.map_or(Ok(0.0), |value| finite(name, value))?;
+    }
+    for value in camera.target.into_iter().flatten() {
+        finite(target, value)?;
+    }
+    camera.distance.map_or(Ok(1.0), |value| positive(distance, value))?;
+    Ok(())
 }
 
 fn finite(name: &'static str, value: f64) -> Result<f64, SceneError> {

@@ -1,21 +1,36 @@
 //! What a scene says: the body, how it spins, by which method it is followed and how it is looked at.
 //!
 //! [`SceneFile`] is the text as written, part by part and all of it optional; [`Scene`] is the same thing checked,
-//! with the body and the starting state worked out. The command line and the window change a [`SceneFile`]
+//! with the body and the starting state worked out. [`KEYS`] is the table of all that a scene can say: files, flags,
+//! `--set` and links are read and written by it. The command line and the window change a [`SceneFile`]
 //! and check it again, so there is one way in.
 
 mod check;
 mod command;
+mod edit;
+mod field;
 mod file;
+mod keys;
+pub mod link;
 mod nearest;
 mod parts;
 mod presets;
+mod read;
+#[cfg(test)]
+mod tests;
+mod value;
 mod view;
+mod word;
+mod write;
 
 pub use check::{DEFAULT_EDGES, Scene, SceneError};
 pub use command::{flags, quoted};
-pub use file::{BodyFile, MotionFile, SceneFile, SolidFile, SpinFile, ViewFile};
+pub use edit::{Edit, Edits};
+pub use field::Kind;
+pub use file::{BodyFile, CameraFile, MotionFile, SceneFile, SolidFile, SpinFile, ViewFile};
+pub use keys::{Flag, KEYS, Key, SOLID_KEYS, key};
 pub use nearest::nearest;
 pub use parts::{Part, PartKind};
 pub use presets::{DEFAULT_PRESET, Preset, preset, presets};
+pub use value::{Entry, Item, Value};
 pub use view::{Layout, Theme, View};

@@ -1,13 +1,71 @@
 //! The nearest known name to one that is not known.
 
-/// The known name nearest to `given` (Jaro–Winkler), where any is near enough to be meant.
+/// Longest name that is compared: no known one is half as long.
+const LONGEST: usize = 64;
+/// Shortest word that may stand for a longer name that has it as a part.
+const SHORTEST_PART: usize = 3;
+
+/// The known name nearest to `given`, where any is near enough to be meant: one slip in three letters (a letter more,
+/// less, other, or two swapped), or a word of it (`symmetric` for `symmetric-top`).
 #[must_use]
 pub fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let given = given.to_lowercase();
+    let length = given.chars().count();
+    if length > LONGEST {
+        return None;
+    }
+    let given = given.trim().to_lowercase().replace('_', "-");
     known
         .into_iter()
-        .map(|name| (strsim::jaro_winkler(&given, name), name))
-        .filter(|(likeness, _)| *likeness > 0.6)
-        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .filter_map(|name| {
+            let plain = name.replace('_', "-");
+            let slips = strsim::damerau_levenshtein(&given, &plain);
+            let is_word = length >= SHORTEST_PART && is_part(&given, &plain);
+            (slips <= length / 3 || is_word).then_some((slips, name))
+        })
+        .min_by_key(|(slips, _)| *slips)
         .map(|(_, name)| name)
+}
+
+/// Whether one begins the other, or is a whole word of it.
+fn is_part(given: &str, name: &str) -> bool {
+    name.starts_with(given) || name.split('-').any(|word| word == given)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    const KNOWN: [&str; 7] = ["flip", "symmetric-top", "near-separatrix", "rk4", "body", "poles", "spin"];
+
+    #[test]
+    fn a_slip_is_seen() {
+        for (given, meant) in [
+            ("flop", "flip"),
+            ("filp", "flip"),
+            ("FLIP", "flip"),
+            ("spn", "spin"),
+            ("rk5", "rk4"),
+            ("bodys", "body"),
+            ("symetric_top", "symmetric-top"),
+            ("symmetric", "symmetric-top"),
+            ("separatrix", "near-separatrix"),
+            ("sym", "symmetric-top"),
+        ] {
+            assert_eq!(nearest(given, KNOWN), Some(meant), "{given}");
+        }
+    }
+
+    #[test]
+    fn what_is_far_is_not_said() {
+        let long = "flip".repeat(17);
+        for given in ["", "x", "fl", "floor", "pole-star", "wheel", "separate", "parat", &long] {
+            assert_eq!(nearest(given, KNOWN), None, "{given}");
+        }
+    }
+
+    #[test]
+    fn the_nearer_of_two_is_said() {
+        assert_eq!(nearest("poley", ["polxx", "poles"]), Some("poles"));
+        assert_eq!(nearest("abcdefghi", ["abcdefxyz", "abcdefghx"]), Some("abcdefghx"));
+    }
 }

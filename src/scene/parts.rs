@@ -1,7 +1,6 @@
 //! What the body looks like.
 
 use glam::{DMat3, DVec3};
-use serde::{Deserialize, Serialize};
 
 use super::{SceneError, SolidFile};
 use crate::physics::solids::{Shape, Solid, assemble};
@@ -11,10 +10,10 @@ use crate::physics::{Body, so3};
 const THINNEST: f64 = 0.02;
 
 /// A form that a part of the body has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PartKind {
     /// A rectangular box.
+    #[default]
     Box,
     /// A cylinder along its own z axis.
     Cylinder,

@@ -28,17 +28,18 @@ impl Preset {
     }
 }
 
+/// All files of the folder, in no order.
+fn all() -> impl Iterator<Item = Preset> {
+    SCENES
+        .files()
+        .filter_map(|file| Some(Preset { name: file.path().file_stem()?.to_str()?, text: file.contents_utf8()? }))
+}
+
 /// All presets, in the order their files give (`order`), then by name.
 #[must_use]
 pub fn presets() -> Vec<Preset> {
-    let mut found: Vec<(i64, Preset)> = SCENES
-        .files()
-        .filter_map(|file| {
-            let preset = Preset { name: file.path().file_stem()?.to_str()?, text: file.contents_utf8()? };
-            let order = preset.read().ok().and_then(|scene| scene.order).unwrap_or(i64::MAX);
-            Some((order, preset))
-        })
-        .collect();
+    let mut found: Vec<(i64, Preset)> =
+        all().map(|preset| (preset.read().ok().and_then(|scene| scene.order).unwrap_or(i64::MAX), preset)).collect();
     found.sort_by_key(|(order, preset)| (*order, preset.name));
     found.into_iter().map(|(_, preset)| preset).collect()
 }
@@ -48,11 +49,10 @@ pub fn presets() -> Vec<Preset> {
 /// # Errors
 /// An unknown name, with the nearest known one.
 pub fn preset(name: &str) -> Result<Preset, SceneError> {
-    let all = presets();
-    all.iter().find(|preset| preset.name == name).copied().ok_or_else(|| SceneError::Unknown {
+    all().find(|preset| preset.name == name).ok_or_else(|| SceneError::Unknown {
         kind: "scene",
         given: name.to_owned(),
-        hint: match nearest(name, all.iter().map(|preset| preset.name)) {
+        hint: match nearest(name, all().map(|preset| preset.name)) {
             Some(near) => format!("the nearest is `{near}`"),
             None => "`dzhanibekov scenes` lists them, or give the path of a .toml file".to_owned(),
         },

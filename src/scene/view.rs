@@ -1,10 +1,9 @@
 //! How a scene is looked at.
 
-use serde::{Deserialize, Serialize};
+use super::CameraFile;
 
 /// Which of the two spaces the picture shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Layout {
     /// World and body side by side; one above the other where the picture is tall.
     #[default]
@@ -16,8 +15,7 @@ pub enum Layout {
 }
 
 /// Colours for a dark hall or for bright rooms and print.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
     /// Light things on a dark background.
     #[default]
@@ -47,9 +45,8 @@ pub struct View {
     pub elevation_deg: Option<f64>,
     /// The camera's distance as a factor on the one that frames everything, where the scene sets one.
     pub distance: Option<f64>,
-    /// The camera of the world alone, where the scene sets it: azimuth and elevation (degrees), distance as above, and the
-    /// point looked at (the body is about 1 large).
-    pub world_camera: Option<[f64; 6]>,
-    /// The camera of momentum space alone, likewise (the sphere has radius 1).
-    pub body_camera: Option<[f64; 6]>,
+    /// The camera of the world alone: what it says goes before what is said of both.
+    pub world_camera: CameraFile,
+    /// The camera of momentum space alone, likewise.
+    pub body_camera: CameraFile,
 }

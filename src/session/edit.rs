@@ -282,13 +282,7 @@ impl Session {
     pub(super) fn save_to(&mut self, place: Option<String>) -> Vec<Effect> {
         self.shown.saving = None;
         let file = self.file_as_seen();
-        match file.to_toml() {
-            Ok(text) => vec![Effect::SaveText { place, title: file.title, text }],
-            Err(error) => {
-                self.say(error.to_string());
-                vec![]
-            }
-        }
+        vec![Effect::SaveText { place, text: file.to_toml(), title: file.title }]
     }
 
     /// The scene was written to a file: from here on a command can name it, whatever is in it.

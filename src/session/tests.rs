@@ -333,7 +333,7 @@ fn a_scene_is_kept_and_comes_back_as_it_was_opened() -> Result<(), SceneError> {
     assert_eq!(title, "The flip");
     let written = SceneFile::parse(text)?;
     assert_eq!(written.spin.rate, Some(2.0));
-    assert!(written.view.world_camera.is_some());
+    assert!(written.view.world_camera.target.is_some());
     driven.session.saved("the-flip-1.toml");
     let copied = driven.apply(Command::CopyCommand);
     assert!(matches!(&copied[..], [Effect::CopyText(line)] if line.contains("the-flip-1.toml")), "{copied:?}");

@@ -87,7 +87,7 @@ fn read(text: &str) -> Result<(), String> {
     if !(state.world_from_body.is_finite() && state.body_momentum.is_finite()) {
         return Err("a scene that was let pass starts with no numbers".to_owned());
     }
-    let written = scene.file.to_toml().map_err(|error| error.to_string())?;
+    let written = scene.file.to_toml();
     match SceneFile::parse(&written) {
         Ok(again) if again == scene.file => Ok(()),
         Ok(_) => Err(format!("reads back to another scene:\n{written}")),

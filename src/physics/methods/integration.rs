@@ -5,13 +5,13 @@ use glam::{DMat3, DVec3};
 use super::{Failure, Keeps, Method, Problem, Stepper};
 use crate::physics::double_double::power_of_two_of;
 use crate::physics::start::Start;
-use crate::physics::{Body, State};
+use crate::physics::{Body, State, number};
 
 /// Why a method could not go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MethodError {
     /// The equation of an implicit step was not solved.
-    #[error("{method} could not solve its step of {step} s: take a smaller step")]
+    #[error("{method} could not solve its step of {} s: take a smaller step", number(*.step))]
     NotSolved {
         /// The method's name.
         method: &'static str,
@@ -19,7 +19,7 @@ pub enum MethodError {
         step: f64,
     },
     /// The state grew past the range of f64.
-    #[error("{method} left the range of numbers with steps of {step} s: take a smaller step")]
+    #[error("{method} left the range of numbers with steps of {} s: take a smaller step", number(*.step))]
     Overflow {
         /// The method's name.
         method: &'static str,
@@ -27,7 +27,7 @@ pub enum MethodError {
         step: f64,
     },
     /// The time asked for is more steps away than can be counted without rounding, 2⁵³.
-    #[error("{time} s is more than 2^53 steps of {step} s away: take a longer step or the closed form")]
+    #[error("{} s is more than 2^53 steps of {} s away: take a longer step or the closed form", number(*.time), number(*.step))]
     TooFar {
         /// The time (s).
         time: f64,

@@ -1,0 +1,51 @@
+//! The whole check of a scene: what [`Scene::check`] sees, and the names of what is drawn.
+
+use super::{OBJECTS, object_named};
+use crate::scene::{Scene, SceneError, SceneFile, nearest};
+
+/// Checks a scene that is to be drawn. Every way in goes through here: command line, file, folder, clipboard, link.
+///
+/// # Errors
+/// See [`SceneError`].
+pub fn check(file: &SceneFile) -> Result<Scene, SceneError> {
+    let scene = Scene::check(file)?;
+    let named = file.view.show.iter().chain(&file.view.hide);
+    match named.into_iter().find(|name| object_named(name).is_none()) {
+        None => Ok(scene),
+        Some(name) => Err(SceneError::Unknown {
+            kind: "object",
+            given: name.clone(),
+            hint: match nearest(name, OBJECTS.iter().map(|object| object.name)) {
+                Some(near) => format!("the nearest is `{near}`"),
+                None => "`dzhanibekov objects` lists them".to_owned(),
+            },
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::check;
+    use crate::scene::{SceneError, SceneFile, presets};
+
+    #[test]
+    fn every_built_in_scene_names_what_is_drawn() -> Result<(), SceneError> {
+        for preset in presets() {
+            check(&preset.read()?)?;
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn a_name_that_is_not_drawn_is_refused_with_the_nearest_where_one_is_near() -> Result<(), SceneError> {
+        for (key, name, hint) in [
+            ("show", "axis-tail", "object `axis-tail` is not known: the nearest is `axis-trail`"),
+            ("hide", "shadows", "object `shadows` is not known: the nearest is `shadow`"),
+            ("hide", "floor", "object `floor` is not known: `dzhanibekov objects` lists them"),
+        ] {
+            let file = SceneFile::parse(&format!("view.{key} = [\"body\", \"{name}\"]"))?;
+            assert_eq!(check(&file).map_err(|error| error.to_string()).err().as_deref(), Some(hint));
+        }
+        Ok(())
+    }
+}
