@@ -62,7 +62,7 @@ impl Screen {
         let instance = wgpu::Instance::new(descriptor);
         let surface =
             instance.create_surface(Arc::clone(window)).map_err(|error| WindowError::Display(error.to_string()))?;
-        let gpu = Gpu::for_surface(&instance, &surface, adapter)?;
+        let gpu = pollster::block_on(Gpu::for_surface(&instance, &surface, adapter))?;
         let is_lost = Arc::new(AtomicBool::new(false));
         let is_trial = Arc::new(AtomicBool::new(false));
         let (flag, trial) = (Arc::clone(&is_lost), Arc::clone(&is_trial));

@@ -171,7 +171,7 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
         picture::check_objects(&scene)?;
         let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
         let encode_png = |pixels: &dzhanibekov::render::Pixels, transparent| {
-            dzhanibekov::headless::encode(pixels, transparent, &[]).map_err(|error| error.to_string())
+            dzhanibekov::render::png::encode(pixels, transparent, &[]).map_err(|error| error.to_string())
         };
         let adapter = arguments.adapter.clone();
         let options = dzhanibekov::app::WindowOptions { size, adapter, slides, encode_png };

@@ -4,11 +4,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use dzhanibekov::files;
-#[cfg(feature = "window")]
-use dzhanibekov::headless::encode;
-use dzhanibekov::headless::{HeadlessError, Note, ShotOptions, shot as draw};
+use dzhanibekov::headless::{HeadlessError, ShotOptions, shot as draw};
 use dzhanibekov::objects::{OBJECTS, object_named};
 use dzhanibekov::physics::Method;
+use dzhanibekov::render::png::Remark;
 use dzhanibekov::render::{self, Gpu};
 use dzhanibekov::scene::{Scene, nearest, quoted};
 use dzhanibekov::sim::Simulation;
@@ -67,7 +66,7 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
         }
         let pixels = dzhanibekov::app::with_panels(&gpu, scene, picture.time, options.size)
             .map_err(|error| Failure::could(error.to_string()))?;
-        let bytes = encode(&pixels, false, &notes).map_err(HeadlessError::from)?;
+        let bytes = render::png::encode(&pixels, false, &notes).map_err(HeadlessError::from)?;
         return Ok(files::write(&arguments.output, &bytes)?);
     }
     let bytes = draw(&gpu, &scene, &simulation, &options(picture), &notes(picture, &scene, &words, picture.time))?;
@@ -106,17 +105,17 @@ pub(super) fn options(picture: &PictureArguments) -> ShotOptions {
     ShotOptions { size: picture.size, transparent: picture.transparent, adapter: picture.adapter.clone() }
 }
 
-/// Opens what the picture is drawn on, and says so where that is the processor though nobody asked for it.
+/// Opens what the picture is drawn on, and says once what is worth saying of the choice.
 pub(super) fn open(picture: &PictureArguments) -> Result<Gpu, Failure> {
     let gpu = options(picture).open()?;
-    if gpu.is_software() && picture.adapter.is_none() && !picture.quiet {
-        say(&format!("drawing on the processor ({}): no GPU was found", gpu.description().name));
+    if let (Some(remark), false) = (gpu.remark(), picture.quiet) {
+        say(remark);
     }
     Ok(gpu)
 }
 
 /// What a picture's file says of itself: the program, the scene, the time and the command that draws it again.
-pub(super) fn notes(picture: &PictureArguments, scene: &Scene, words: &[String], time: f64) -> Vec<Note> {
+pub(super) fn notes(picture: &PictureArguments, scene: &Scene, words: &[String], time: f64) -> Vec<Remark> {
     let mut command = vec!["dzhanibekov".to_owned(), "shot".to_owned()];
     command.extend_from_slice(words);
     command.extend(["--time".to_owned(), short(time)]);
@@ -154,7 +153,7 @@ pub(super) fn check_objects(scene: &Scene) -> Result<(), Failure> {
 /// `adapters`: what there is to draw with.
 pub(super) fn adapters(arguments: &ListArguments) -> Result<(), Failure> {
     keep_quiet();
-    let found = render::adapters();
+    let found = pollster::block_on(render::adapters());
     if arguments.json {
         let list: Vec<_> = found
             .iter()

@@ -4,8 +4,8 @@ use std::io::Write;
 
 use super::FrameRate;
 use super::movie::{Movie, MovieError};
-use super::png::{colours, encoder};
 use crate::render::Pixels;
+use crate::render::png::{colours, encoder};
 
 /// An animated PNG under way.
 pub struct Apng<W: Write> {

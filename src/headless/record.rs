@@ -9,7 +9,7 @@ use super::fault;
 use super::shot::{HeadlessError, ShotOptions};
 use crate::frame::Frame;
 use crate::objects::{Cameras, build_frame};
-use crate::render::{Canvas, Gpu, Pixels, Renderer, point_size};
+use crate::render::{Canvas, Gpu, Pixels, Reading, Renderer, point_size};
 use crate::scene::Scene;
 use crate::sim::Simulation;
 
@@ -103,7 +103,7 @@ fn draw_all(
     skip: &mut impl FnMut(u64) -> bool,
     sender: &SyncSender<(u64, Pixels)>,
 ) -> Result<bool, HeadlessError> {
-    let mut under_way: Option<(u64, usize, wgpu::SubmissionIndex)> = None;
+    let mut under_way: Option<(u64, usize, Reading)> = None;
     let mut next_canvas = 0;
     let mut drawn = 0;
     for index in recording.frames.clone() {
@@ -119,14 +119,14 @@ fn draw_all(
         let before = under_way.replace((index, next_canvas, reading));
         next_canvas = 1 - next_canvas;
         if let Some((index, canvas, reading)) = before
-            && sender.send((index, artist.finish(canvas, reading)?)).is_err()
+            && sender.send((index, artist.finish(canvas, &reading)?)).is_err()
         {
             // The taker failed; its error is reported.
             return Ok(false);
         }
     }
     if let Some((index, canvas, reading)) = under_way
-        && sender.send((index, artist.finish(canvas, reading)?)).is_err()
+        && sender.send((index, artist.finish(canvas, &reading)?)).is_err()
     {
         return Ok(false);
     }
@@ -160,7 +160,7 @@ impl<'a> Artist<'a> {
         })
     }
 
-    fn draw(&mut self, canvas: usize, time: f64) -> Result<wgpu::SubmissionIndex, HeadlessError> {
+    fn draw(&mut self, canvas: usize, time: f64) -> Result<Reading, HeadlessError> {
         self.simulation.go_to(time);
         if let Some(failure) = self.simulation.main().failure() {
             return Err(HeadlessError::Method(failure.to_string()));
@@ -173,7 +173,7 @@ impl<'a> Artist<'a> {
         Ok(canvas.begin_read(self.gpu))
     }
 
-    fn finish(&self, canvas: usize, reading: wgpu::SubmissionIndex) -> Result<Pixels, HeadlessError> {
+    fn finish(&self, canvas: usize, reading: &Reading) -> Result<Pixels, HeadlessError> {
         Ok(self.canvases[canvas].finish_read(self.gpu, reading)?)
     }
 }

@@ -1,9 +1,9 @@
 //! One picture.
 
 use super::fault;
-use super::png::{Note, encode};
 use crate::frame::Frame;
 use crate::objects::{Cameras, build_frame};
+use crate::render::png::{EncodingError, Remark, encode};
 use crate::render::{Canvas, Gpu, GpuError, Pixels, Renderer, point_size};
 use crate::scene::Scene;
 use crate::sim::Simulation;
@@ -33,7 +33,7 @@ pub enum HeadlessError {
     Method(String),
     /// The picture could not be encoded.
     #[error("the picture could not be encoded: {0}")]
-    Encoding(#[from] png::EncodingError),
+    Encoding(#[from] EncodingError),
 }
 
 impl HeadlessError {
@@ -72,7 +72,7 @@ impl ShotOptions {
         if width == 0 || height == 0 {
             return refused(8192, 1 << 26);
         }
-        let gpu = Gpu::headless(self.adapter.as_deref())?;
+        let gpu = pollster::block_on(Gpu::headless(self.adapter.as_deref()))?;
         if !Canvas::fits(&gpu, self.size) {
             return refused(gpu.largest_side(), Canvas::most_pixels(&gpu));
         }
@@ -128,11 +128,11 @@ pub fn shot(
     scene: &Scene,
     simulation: &Simulation,
     options: &ShotOptions,
-    notes: &[Note],
+    remarks: &[Remark],
 ) -> Result<Vec<u8>, HeadlessError> {
     let mut studio = Studio::new(gpu, options.size)?;
     let mut frame = build_frame(scene, simulation, &Cameras::new(&scene.view), studio.aspect());
     frame.transparent = options.transparent;
     let pixels = studio.draw(&frame)?;
-    Ok(encode(&pixels, options.transparent, notes)?)
+    Ok(encode(&pixels, options.transparent, remarks)?)
 }

@@ -2,6 +2,8 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use super::attempts::{Attempts, backend_name};
+
 /// What to install where no driver is found.
 const INSTALL: &str = "install a driver, on Debian or Ubuntu: apt-get install libvulkan1 mesa-vulkan-drivers";
 
@@ -9,8 +11,8 @@ const INSTALL: &str = "install a driver, on Debian or Ubuntu: apt-get install li
 #[derive(Debug, thiserror::Error)]
 pub enum GpuError {
     /// No adapter at all.
-    #[error("no graphics adapter was found ({0}); {INSTALL}")]
-    NoAdapter(String),
+    #[error("no graphics adapter was found; {INSTALL}")]
+    NoAdapter,
     /// No adapter of the asked name.
     #[error("no adapter's name contains '{wanted}'; there is: {found}")]
     NoSuchAdapter {
@@ -19,14 +21,9 @@ pub enum GpuError {
         /// The names there are.
         found: String,
     },
-    /// The adapter gave no device.
-    #[error("the adapter {adapter} could not be opened: {cause}")]
-    Device {
-        /// Its name.
-        adapter: String,
-        /// What the driver said.
-        cause: wgpu::RequestDeviceError,
-    },
+    /// Adapters, and none that gives a device: all that were tried, with what their drivers said.
+    #[error("none of the graphics adapters could be opened: {0}")]
+    NoneOpens(String),
     /// The device was lost, ran out of memory or reported an error while drawing.
     #[error("the graphics driver gave up drawing: {0}")]
     Drawing(String),
@@ -39,7 +36,7 @@ pub struct AdapterDescription {
     pub name: String,
     /// Discrete, integrated, virtual, or software (CPU).
     pub kind: &'static str,
-    /// Vulkan, OpenGL, Metal or Direct3D 12.
+    /// Vulkan, OpenGL, Metal, Direct3D 12 or WebGPU.
     pub backend: &'static str,
     /// The driver and its version.
     pub driver: String,
@@ -54,15 +51,8 @@ impl AdapterDescription {
             wgpu::DeviceType::Cpu => "software (CPU)",
             wgpu::DeviceType::Other => "other",
         };
-        let backend = match info.backend {
-            wgpu::Backend::Vulkan => "Vulkan",
-            wgpu::Backend::Gl => "OpenGL",
-            wgpu::Backend::Metal => "Metal",
-            wgpu::Backend::Dx12 => "Direct3D 12",
-            _ => "other",
-        };
         let driver = [info.driver.trim(), info.driver_info.trim()].join(" ").trim().to_owned();
-        Self { name: info.name.clone(), kind, backend, driver }
+        Self { name: info.name.clone(), kind, backend: backend_name(info.backend), driver }
     }
 }
 
@@ -75,6 +65,7 @@ pub struct Gpu {
     pub device: wgpu::Device,
     /// Takes the work.
     pub queue: wgpu::Queue,
+    remark: Option<String>,
     error: Arc<Mutex<Option<String>>>,
 }
 
@@ -93,60 +84,91 @@ fn instance(backends: wgpu::Backends) -> wgpu::Instance {
     wgpu::Instance::new(descriptor)
 }
 
+/// The adapters of some backends, those that can present to the surface where there is one.
+#[cfg(not(target_arch = "wasm32"))]
+async fn found(
+    instance: &wgpu::Instance,
+    backends: wgpu::Backends,
+    surface: Option<&wgpu::Surface<'_>>,
+) -> Vec<(wgpu::AdapterInfo, wgpu::Adapter)> {
+    let adapters = instance.enumerate_adapters(backends).await.into_iter();
+    let adapters = adapters.filter(|adapter| surface.is_none_or(|surface| adapter.is_surface_supported(surface)));
+    adapters.map(|adapter| (adapter.get_info(), adapter)).collect()
+}
+
+/// The one adapter that a browser gives: it lists none, and WebGL's is had only by a surface.
+#[cfg(target_arch = "wasm32")]
+async fn found(
+    instance: &wgpu::Instance,
+    _: wgpu::Backends,
+    surface: Option<&wgpu::Surface<'_>>,
+) -> Vec<(wgpu::AdapterInfo, wgpu::Adapter)> {
+    let options = wgpu::RequestAdapterOptions { compatible_surface: surface, ..Default::default() };
+    let adapter = instance.request_adapter(&options).await.ok();
+    adapter.map(|adapter| (adapter.get_info(), adapter)).into_iter().collect()
+}
+
 /// What to say on a machine with no adapter at all.
 #[must_use]
 pub fn no_adapter() -> String {
-    GpuError::NoAdapter("no driver".to_owned()).to_string()
+    GpuError::NoAdapter.to_string()
 }
 
 /// Every adapter of this machine.
-#[must_use]
-pub fn adapters() -> Vec<AdapterDescription> {
-    backend_rounds()
-        .into_iter()
-        .flat_map(|backends| pollster::block_on(instance(backends).enumerate_adapters(backends)))
-        .map(|adapter| AdapterDescription::new(&adapter.get_info()))
-        .collect()
+pub async fn adapters() -> Vec<AdapterDescription> {
+    let mut descriptions = vec![];
+    for backends in backend_rounds() {
+        let found = found(&instance(backends), backends, None).await;
+        descriptions.extend(found.iter().map(|(info, _)| AdapterDescription::new(info)));
+    }
+    descriptions
 }
 
 impl Gpu {
-    /// A device for drawing with no window: the adapter whose name contains `name` (any case), or the best one.
+    /// A device for drawing with no window, on an adapter whose name contains `name` (any case) or on any: a GPU before the
+    /// processor, and the next one where one cannot be opened.
     ///
     /// # Errors
-    /// No adapter, none of that name, or one that cannot be opened.
-    pub fn headless(name: Option<&str>) -> Result<Self, GpuError> {
-        let mut cause = String::from("no backend");
-        let mut found = vec![];
-        for backends in backend_rounds() {
-            let instance = instance(backends);
-            match choose(&instance, backends, None, name) {
-                Ok(adapter) => return Self::open(adapter),
-                Err(GpuError::NoSuchAdapter { found: names, .. }) => found.push(names),
-                Err(GpuError::NoAdapter(why)) => cause = why,
-                Err(other) => return Err(other),
+    /// No adapter, none of that name, or none that can be opened.
+    pub async fn headless(name: Option<&str>) -> Result<Self, GpuError> {
+        let mut attempts = Attempts::new(name);
+        let rounds = backend_rounds();
+        let last = rounds.len().saturating_sub(1);
+        for (round, backends) in rounds.into_iter().enumerate() {
+            attempts.add(found(&instance(backends), backends, None).await);
+            if let Some(gpu) = Self::open_next(&mut attempts, round < last).await {
+                return Ok(gpu);
             }
         }
-        match name {
-            Some(wanted) if !found.is_empty() => {
-                Err(GpuError::NoSuchAdapter { wanted: wanted.to_owned(), found: found.join(", ") })
-            }
-            _ => Err(GpuError::NoAdapter(cause)),
-        }
+        Err(attempts.error())
     }
 
-    /// A device that can present to this surface.
+    /// A device that can present to this surface, chosen likewise.
     ///
     /// # Errors
     /// As [`Gpu::headless`].
-    pub fn for_surface(
+    pub async fn for_surface(
         instance: &wgpu::Instance,
         surface: &wgpu::Surface<'_>,
         name: Option<&str>,
     ) -> Result<Self, GpuError> {
-        Self::open(choose(instance, wgpu::Backends::all(), Some(surface), name)?)
+        let mut attempts = Attempts::new(name);
+        attempts.add(found(instance, wgpu::Backends::all(), Some(surface)).await);
+        Self::open_next(&mut attempts, false).await.ok_or_else(|| attempts.error())
     }
 
-    fn open(adapter: wgpu::Adapter) -> Result<Self, GpuError> {
+    /// Tries one adapter after the other.
+    async fn open_next(attempts: &mut Attempts<wgpu::Adapter>, more_to_come: bool) -> Option<Self> {
+        while let Some((info, adapter)) = attempts.next(more_to_come) {
+            match Self::open(adapter).await {
+                Ok(gpu) => return Some(Self { remark: attempts.remark(&info), ..gpu }),
+                Err(cause) => attempts.note_failure(&info, &one_line(&cause.to_string())),
+            }
+        }
+        None
+    }
+
+    async fn open(adapter: wgpu::Adapter) -> Result<Self, wgpu::RequestDeviceError> {
         let descriptor = wgpu::DeviceDescriptor {
             label: None,
             required_features: wgpu::Features::empty(),
@@ -155,8 +177,7 @@ impl Gpu {
             memory_hints: wgpu::MemoryHints::MemoryUsage,
             trace: wgpu::Trace::Off,
         };
-        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
-            .map_err(|cause| GpuError::Device { adapter: adapter.get_info().name, cause })?;
+        let (device, queue) = adapter.request_device(&descriptor).await?;
         let error = Arc::new(Mutex::new(None));
         let slot = Arc::clone(&error);
         // Without a handler a driver's complaint would end the program; the first one is kept for the caller.
@@ -171,13 +192,20 @@ impl Gpu {
             let told = format!("the device was lost{separator}{reason}");
             *slot.lock().unwrap_or_else(PoisonError::into_inner) = Some(told);
         });
-        Ok(Self { adapter, device, queue, error })
+        Ok(Self { adapter, device, queue, remark: None, error })
     }
 
     /// What the adapter is.
     #[must_use]
     pub fn description(&self) -> AdapterDescription {
         AdapterDescription::new(&self.adapter.get_info())
+    }
+
+    /// What is worth saying once of how it was chosen: that the processor draws though nobody asked for it, or that others
+    /// could not be opened.
+    #[must_use]
+    pub fn remark(&self) -> Option<&str> {
+        self.remark.as_deref()
     }
 
     /// Whether it draws on the processor.
@@ -212,37 +240,4 @@ impl Gpu {
 /// The driver's words without their line breaks.
 fn one_line(words: &str) -> String {
     words.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-fn choose(
-    instance: &wgpu::Instance,
-    backends: wgpu::Backends,
-    surface: Option<&wgpu::Surface<'_>>,
-    name: Option<&str>,
-) -> Result<wgpu::Adapter, GpuError> {
-    let Some(name) = name else {
-        let options = wgpu::RequestAdapterOptions {
-            power_preference: wgpu::PowerPreference::HighPerformance,
-            compatible_surface: surface,
-            ..Default::default()
-        };
-        return pollster::block_on(instance.request_adapter(&options))
-            .map_err(|cause| GpuError::NoAdapter(cause.to_string()));
-    };
-    let wanted = name.to_lowercase();
-    let mut found = vec![];
-    for adapter in pollster::block_on(instance.enumerate_adapters(backends)) {
-        if surface.is_some_and(|surface| !adapter.is_surface_supported(surface)) {
-            continue;
-        }
-        let info = adapter.get_info();
-        if info.name.to_lowercase().contains(&wanted) {
-            return Ok(adapter);
-        }
-        found.push(info.name);
-    }
-    if found.is_empty() {
-        return Err(GpuError::NoAdapter(String::from("no backend offers one")));
-    }
-    Err(GpuError::NoSuchAdapter { wanted: name.to_owned(), found: found.join(", ") })
 }

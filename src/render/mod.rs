@@ -1,5 +1,6 @@
 //! How a [`Frame`](crate::frame::Frame) is drawn: wgpu, one file a primitive, the same for window and file.
 
+mod attempts;
 mod buffer;
 mod glyphs;
 mod gpu;
@@ -9,6 +10,7 @@ mod layout_test;
 mod line;
 mod notes;
 mod pipeline;
+pub mod png;
 mod point;
 mod quadrics;
 mod readback;
@@ -22,6 +24,7 @@ mod transfer;
 mod view;
 
 pub use gpu::{AdapterDescription, Gpu, GpuError, adapters, no_adapter};
-pub use readback::{Canvas, Pixels};
-pub use renderer::{FORMAT, Renderer, point_size};
+pub use readback::{Canvas, Pixels, Reading};
+pub use renderer::{Renderer, point_size};
+pub use targets::FORMAT;
 pub use transfer::Transfer;

@@ -1,11 +1,6 @@
 //! The one place where pipelines are described.
 
-use super::renderer::FORMAT;
-
-/// Samples a pixel.
-pub(super) const SAMPLES: u32 = 4;
-/// Reversed depth: 1 at the near plane, 0 at infinity, for which f32 is nearly uniform in precision.
-pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+use super::targets::{DEPTH_FORMAT, FORMAT, SAMPLES};
 
 /// What all shaders begin with.
 const VIEW_SOURCE: &str = include_str!("../../shaders/view.wgsl");

@@ -1,15 +1,24 @@
 //! A picture that is drawn to no window, and how it comes back from the device.
 
-use super::gpu::{Gpu, GpuError};
-use super::renderer::FORMAT;
-use super::targets::extent;
+use std::sync::{Arc, OnceLock};
 
-/// A texture to draw into and to read back from.
+use super::gpu::{Gpu, GpuError};
+use super::targets::{FORMAT, extent};
+
+/// A texture to draw into and to read back from: a picture at a time.
 pub struct Canvas {
     texture: wgpu::Texture,
     view: wgpu::TextureView,
     staging: wgpu::Buffer,
     size: [u32; 2],
+}
+
+/// A picture on its way back from the device.
+#[derive(Debug)]
+pub struct Reading {
+    submission: wgpu::SubmissionIndex,
+    /// Filled by the device when the picture has arrived or cannot.
+    arrived: Arc<OnceLock<Result<(), wgpu::BufferAsyncError>>>,
 }
 
 /// A picture in memory: sRGB bytes, red, green, blue, opacity, by rows from the top; premultiplied where it
@@ -71,18 +80,18 @@ impl Canvas {
         self.size
     }
 
-    /// Waits for the drawing and copies the picture out.
+    /// Waits for the drawing and copies the picture out; not in a browser, where nothing may wait.
     ///
     /// # Errors
     /// What the device has reported since the last call.
     pub fn read(&self, gpu: &Gpu) -> Result<Pixels, GpuError> {
         let reading = self.begin_read(gpu);
-        self.finish_read(gpu, reading)
+        self.finish_read(gpu, &reading)
     }
 
     /// Asks for what was drawn so far, without waiting: the device goes on while another canvas is prepared.
     #[must_use]
-    pub fn begin_read(&self, gpu: &Gpu) -> wgpu::SubmissionIndex {
+    pub fn begin_read(&self, gpu: &Gpu) -> Reading {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encoder.copy_texture_to_buffer(
             self.texture.as_image_copy(),
@@ -96,20 +105,46 @@ impl Canvas {
             },
             extent(self.size),
         );
-        let reading = gpu.queue.submit([encoder.finish()]);
-        self.staging.map_async(wgpu::MapMode::Read, .., |_| {});
-        reading
+        let submission = gpu.queue.submit([encoder.finish()]);
+        let arrived = Arc::new(OnceLock::new());
+        let slot = Arc::clone(&arrived);
+        self.staging.map_async(wgpu::MapMode::Read, .., move |outcome| {
+            // It is called once.
+            let _ = slot.set(outcome);
+        });
+        Reading { submission, arrived }
+    }
+
+    /// The picture that [`Self::begin_read`] asked for, where it has arrived; asked once a frame, it waits for nothing.
+    ///
+    /// # Errors
+    /// What the device has reported since the last call.
+    pub fn try_read(&self, gpu: &Gpu, reading: &Reading) -> Result<Option<Pixels>, GpuError> {
+        gpu.check()?;
+        match reading.arrived.get() {
+            None => Ok(None),
+            Some(Err(cause)) => Err(GpuError::Drawing(cause.to_string())),
+            Some(Ok(())) => self.copied_out().map(Some),
+        }
     }
 
     /// Waits for the picture that [`Self::begin_read`] asked for, and for nothing drawn after it.
     ///
     /// # Errors
     /// What the device has reported since the last call.
-    pub fn finish_read(&self, gpu: &Gpu, reading: wgpu::SubmissionIndex) -> Result<Pixels, GpuError> {
+    pub fn finish_read(&self, gpu: &Gpu, reading: &Reading) -> Result<Pixels, GpuError> {
+        let submission_index = Some(reading.submission.clone());
+        let polled = gpu.device.poll(wgpu::PollType::Wait { submission_index, timeout: None });
+        if let Some(pixels) = self.try_read(gpu, reading)? {
+            return Ok(pixels);
+        }
+        let cause = polled.err().map_or_else(|| "the picture did not come back".to_owned(), |cause| cause.to_string());
+        Err(GpuError::Drawing(cause))
+    }
+
+    /// The picture, which has arrived.
+    fn copied_out(&self) -> Result<Pixels, GpuError> {
         let [width, height] = self.size;
-        let polled = gpu.device.poll(wgpu::PollType::Wait { submission_index: Some(reading), timeout: None });
-        gpu.check()?;
-        polled.map_err(|cause| GpuError::Drawing(cause.to_string()))?;
         let rows = self.staging.get_mapped_range(..).map_err(|cause| GpuError::Drawing(cause.to_string()))?;
         let mut rgba = Vec::with_capacity(4 * width as usize * height as usize);
         for row in rows.chunks_exact(row_bytes(width) as usize) {

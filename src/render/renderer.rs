@@ -17,10 +17,6 @@ use super::touched::Touched;
 use super::view::ViewUniform;
 use crate::frame::Frame;
 
-/// The format of what is drawn into: 8 bits a channel that hold sRGB values, blended as they are. (Blending in linear light
-/// took half as long again with no GPU, and a transparent picture then looked another on a slide.)
-pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-
 /// Pixels a point in a picture of this size, so that it looks the same at each size of one aspect: 1 at 1280×720 and
 /// at 720×1280.
 #[must_use]
@@ -56,7 +52,7 @@ impl Renderer {
         Self { views, solids, quadrics, lines, points, texts, resolve, targets: None }
     }
 
-    /// Draws the frame into `target`, a view of a [`FORMAT`] texture of this size, with `point` pixels a point
+    /// Draws the frame into `target`, a view of a [`FORMAT`](super::FORMAT) texture of this size, with `point` pixels a point
     /// (for a file [`point_size`]). Submits the work and does not wait for it.
     pub fn render(&mut self, gpu: &Gpu, frame: &Frame, target: &wgpu::TextureView, size: [u32; 2], point: f32) {
         let (device, queue) = (&gpu.device, &gpu.queue);

@@ -4,8 +4,7 @@
 use glam::Vec2;
 
 use super::buffer::FrameBuffer;
-use super::pipeline::SAMPLES;
-use super::renderer::FORMAT;
+use super::targets::{FORMAT, SAMPLES};
 use super::transfer::Transfer;
 
 /// Averages the samples of a multisampled texture.

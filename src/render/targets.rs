@@ -1,7 +1,12 @@
 //! The textures that are drawn into before they are resolved.
 
-use super::pipeline::{DEPTH_FORMAT, SAMPLES};
-use super::renderer::FORMAT;
+/// The format of what is drawn into: 8 bits a channel that hold sRGB values, blended as they are. (Blending in linear light
+/// took half as long again with no GPU, and a transparent picture then looked another on a slide.)
+pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+/// Samples a pixel.
+pub(super) const SAMPLES: u32 = 4;
+/// Reversed depth: 1 at the near plane, 0 at infinity, for which f32 is nearly uniform in precision.
+pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
 /// The multisampled colours and depths of one size.
 pub(super) struct Targets {

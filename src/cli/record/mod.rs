@@ -11,10 +11,9 @@ use std::time::Instant;
 
 use clap::Args;
 use dzhanibekov::files::{self, Output, Sink};
-use dzhanibekov::headless::{
-    Apng, FrameRate, Gif, HeadlessError, Movie, MovieError, Recording, Studio, Y4m, encode, is_whole, record,
-};
+use dzhanibekov::headless::{Apng, FrameRate, Gif, HeadlessError, Movie, MovieError, Recording, Studio, Y4m, record};
 use dzhanibekov::objects::{Cameras, build_frame};
+use dzhanibekov::render::png::{encode, is_whole};
 use dzhanibekov::render::{Gpu, Pixels};
 use dzhanibekov::scene::Scene;
 use dzhanibekov::sim::Simulation;

@@ -1,0 +1,103 @@
+//! A picture as a PNG file, encoded fast: for pictures written with no window, and for those that the window or the page writes.
+
+use std::io;
+
+use super::readback::Pixels;
+
+pub use png::EncodingError;
+
+/// What the file says of itself: a keyword of the PNG standard and its text.
+pub type Remark = (&'static str, String);
+
+/// The picture as a PNG file. One drawn transparent keeps its opacity, with straight colours as PNG wants them; any
+/// other is written without.
+///
+/// # Errors
+/// None but for a picture with no pixels.
+pub fn encode(pixels: &Pixels, transparent: bool, remarks: &[Remark]) -> Result<Vec<u8>, EncodingError> {
+    let mut bytes = vec![];
+    let mut encoder = encoder(&mut bytes, pixels.size, transparent);
+    for (keyword, text) in remarks {
+        encoder.add_itxt_chunk((*keyword).to_owned(), text.clone())?;
+    }
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&colours(pixels, transparent))?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+/// How every picture is encoded, those of a moving one too: eight bits of sRGB, fast.
+pub fn encoder<W: io::Write>(writer: W, [width, height]: [u32; 2], transparent: bool) -> png::Encoder<'static, W> {
+    let mut encoder = png::Encoder::new(writer, width, height);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    encoder.set_color(if transparent { png::ColorType::Rgba } else { png::ColorType::Rgb });
+    encoder
+}
+
+/// The bytes that [`encoder`] takes.
+#[must_use]
+pub fn colours(pixels: &Pixels, transparent: bool) -> Vec<u8> {
+    if transparent {
+        straight(&pixels.rgba)
+    } else {
+        pixels.rgba.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect()
+    }
+}
+
+/// Whether the bytes are a whole PNG file of this size with these remarks: every check sum and the last row are there.
+#[must_use]
+pub fn is_whole(bytes: &[u8], size: [u32; 2], remarks: &[Remark]) -> bool {
+    let Ok(mut reader) = png::Decoder::new(io::Cursor::new(bytes)).read_info() else { return false };
+    let Some(length) = reader.output_buffer_size() else { return false };
+    let mut pixels = vec![0; length];
+    if reader.next_frame(&mut pixels).is_err() || reader.finish().is_err() {
+        return false;
+    }
+    let info = reader.info();
+    let is_said = |(keyword, text): &Remark| {
+        info.utf8_text.iter().any(|chunk| chunk.keyword == *keyword && chunk.get_text().is_ok_and(|said| said == *text))
+    };
+    [info.width, info.height] == size && remarks.iter().all(is_said)
+}
+
+/// Divides the colours by the opacity.
+fn straight(premultiplied: &[u8]) -> Vec<u8> {
+    let mut straight = premultiplied.to_vec();
+    for pixel in straight.chunks_exact_mut(4) {
+        let alpha = u32::from(pixel[3]);
+        if alpha == 0 || alpha == 255 {
+            continue;
+        }
+        for channel in &mut pixel[..3] {
+            *channel = ((u32::from(*channel) * 255 + alpha / 2) / alpha).min(255) as u8;
+        }
+    }
+    straight
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{EncodingError, Pixels, Remark, encode, is_whole};
+
+    #[test]
+    fn a_picture_comes_back_whole_with_what_it_says_of_itself() -> Result<(), EncodingError> {
+        let pixels = Pixels { size: [2, 1], rgba: vec![64, 32, 0, 128, 9, 8, 7, 255] };
+        let remarks: [Remark; 2] = [("Title", "Ω and ω".to_owned()), ("Comment", "made by a test".to_owned())];
+        for (transparent, expected) in [(true, vec![128, 64, 0, 128, 9, 8, 7, 255]), (false, vec![64, 32, 0, 9, 8, 7])]
+        {
+            let bytes = encode(&pixels, transparent, &remarks)?;
+            assert!(is_whole(&bytes, [2, 1], &remarks));
+            assert!(!is_whole(&bytes[..bytes.len() - 1], [2, 1], &remarks));
+            assert!(!is_whole(&bytes, [1, 2], &remarks));
+            assert!(!is_whole(&bytes, [2, 1], &[("Title", "another".to_owned())]));
+            let mut decoded = vec![0; expected.len()];
+            let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().ok();
+            assert!(reader.as_mut().is_some_and(|reader| reader.next_frame(&mut decoded).is_ok()));
+            // Half opaque, the colours are doubled: PNG's are straight.
+            assert_eq!(decoded, expected);
+        }
+        Ok(())
+    }
+}
