@@ -12,7 +12,18 @@ pub enum Space {
     /// The world, the angular momentum up.
     World,
     /// Momentum space in the body's principal axes.
-    Body,
+    Momentum,
+}
+
+impl Space {
+    /// How far before its place a line is tested against the surfaces of this space. On the round ones of momentum space a flat
+    /// stroke dips in near the outline; no thin body is there for it to shine through.
+    pub(super) fn lift(self) -> f32 {
+        match self {
+            Self::World => 0.005,
+            Self::Momentum => 0.014,
+        }
+    }
 }
 
 /// The spaces shown and their parts of a picture of this aspect: side by side, one above the other where it is tall.
@@ -24,15 +35,15 @@ pub fn areas(layout: Layout, aspect: f32) -> Vec<(Space, Area)> {
     };
     match layout {
         Layout::World => vec![(Space::World, Area::WHOLE)],
-        Layout::Body => vec![(Space::Body, Area::WHOLE)],
-        Layout::Both if aspect >= 1.0 => vec![(Space::World, half(0.0, 0.0)), (Space::Body, half(0.5, 0.0))],
-        Layout::Both => vec![(Space::World, half(0.0, 0.0)), (Space::Body, half(0.0, 0.5))],
+        Layout::Body => vec![(Space::Momentum, Area::WHOLE)],
+        Layout::Both if aspect >= 1.0 => vec![(Space::World, half(0.0, 0.0)), (Space::Momentum, half(0.5, 0.0))],
+        Layout::Both => vec![(Space::World, half(0.0, 0.0)), (Space::Momentum, half(0.0, 0.5))],
     }
 }
 
 /// Distances that frame everything.
-const WORLD_DISTANCE: f32 = 6.2;
-const BODY_DISTANCE: f32 = 6.7;
+const WORLD_DISTANCE: f32 = 6.6;
+const MOMENTUM_DISTANCE: f32 = 6.7;
 
 /// A camera as a scene sets it (see [`scene::View::world_camera`]), where this distance frames everything.
 fn set(setting: [f64; 6], distance: f32) -> Camera {
@@ -54,7 +65,7 @@ pub struct Cameras {
     /// Of the world.
     pub world: Camera,
     /// Of momentum space.
-    pub body: Camera,
+    pub momentum: Camera,
 }
 
 impl Cameras {
@@ -68,12 +79,12 @@ impl Cameras {
             Camera { target, ..Camera::new(azimuth, elevation, distance) }
         };
         let usual = Self {
-            world: camera(-60.0, 16.0, WORLD_DISTANCE, Vec3::new(0.0, 0.0, 0.2)),
-            body: camera(54.0, 22.0, BODY_DISTANCE, Vec3::new(0.0, 0.0, 0.19)),
+            world: camera(-60.0, 16.0, WORLD_DISTANCE, Vec3::new(0.0, 0.0, 0.12)),
+            momentum: camera(54.0, 22.0, MOMENTUM_DISTANCE, Vec3::new(0.0, 0.0, 0.19)),
         };
         Self {
             world: view.world_camera.map_or(usual.world, |setting| set(setting, WORLD_DISTANCE)),
-            body: view.body_camera.map_or(usual.body, |setting| set(setting, BODY_DISTANCE)),
+            momentum: view.body_camera.map_or(usual.momentum, |setting| set(setting, MOMENTUM_DISTANCE)),
         }
     }
 
@@ -83,8 +94,8 @@ impl Cameras {
         if self.world != before.world {
             file.world_camera = Some(setting(&self.world, WORLD_DISTANCE));
         }
-        if self.body != before.body {
-            file.body_camera = Some(setting(&self.body, BODY_DISTANCE));
+        if self.momentum != before.momentum {
+            file.body_camera = Some(setting(&self.momentum, MOMENTUM_DISTANCE));
         }
     }
 
@@ -93,7 +104,7 @@ impl Cameras {
     pub fn of(&self, space: Space) -> &Camera {
         match space {
             Space::World => &self.world,
-            Space::Body => &self.body,
+            Space::Momentum => &self.momentum,
         }
     }
 
@@ -101,7 +112,7 @@ impl Cameras {
     pub fn of_mut(&mut self, space: Space) -> &mut Camera {
         match space {
             Space::World => &mut self.world,
-            Space::Body => &mut self.body,
+            Space::Momentum => &mut self.momentum,
         }
     }
 }
@@ -120,11 +131,11 @@ mod tests {
         cameras.write(&view, &mut file.view);
         assert_eq!(file, SceneFile::default());
         cameras.world.orbit(Vec2::new(0.3, -0.1));
-        cameras.body.pan(Vec2::new(0.1, 0.2));
-        cameras.body.zoom(2.0);
+        cameras.momentum.pan(Vec2::new(0.1, 0.2));
+        cameras.momentum.zoom(2.0);
         cameras.write(&view, &mut file.view);
         let back = Cameras::new(&Scene::check(&file)?.view);
-        for (one, other) in [(cameras.world, back.world), (cameras.body, back.body)] {
+        for (one, other) in [(cameras.world, back.world), (cameras.momentum, back.momentum)] {
             // Four decimals are written: of degrees, and of lengths about 1 to 6 times as large.
             assert!(one.eye().distance(other.eye()) < 1e-3 && one.target.distance(other.target) < 1e-4);
         }
