@@ -28,12 +28,12 @@ struct Corner {
 }
 
 fn pixels(clip: vec4f) -> vec2f {
-    return (0.5 + 0.5 * clip.xy / clip.w) * view.metrics.xy;
+    return (0.5 + 0.5 * clip.xy / clip.w) * pane.metrics.xy;
 }
 
 // The point of the way from one to other where the near plane cuts it, or one itself where it is in sight.
 fn clipped(one: vec4f, other: vec4f) -> vec4f {
-    let near = view.eye.w;
+    let near = pane.eye.w;
     if one.w >= near || other.w <= near {
         return one;
     }
@@ -56,16 +56,16 @@ fn overhang(one: vec2f, other: vec2f, reach: f32) -> f32 {
 }
 
 fn corner(segment: Segment, index: u32, hidden: bool) -> Corner {
-    let whole_start = view.clip_from_world * vec4f(segment.start, 1.0);
-    let whole_end = view.clip_from_world * vec4f(segment.end, 1.0);
+    let whole_start = pane.clip_from_world * vec4f(segment.start, 1.0);
+    let whole_end = pane.clip_from_world * vec4f(segment.end, 1.0);
     let start = clipped(whole_start, whole_end);
     let end = clipped(whole_end, whole_start);
-    let before = clipped(view.clip_from_world * vec4f(segment.before, 1.0), start);
-    let after = clipped(view.clip_from_world * vec4f(segment.after, 1.0), end);
+    let before = clipped(pane.clip_from_world * vec4f(segment.before, 1.0), start);
+    let after = clipped(pane.clip_from_world * vec4f(segment.after, 1.0), end);
     let p = pixels(start);
     let q = pixels(end);
 
-    let wide = segment.style.x * view.metrics.z;
+    let wide = segment.style.x * pane.metrics.z;
     // Thinner than a pixel is drawn as a fainter pixel.
     let half_width = 0.5 * max(wide, 1.0);
     var out: Corner;
@@ -80,8 +80,8 @@ fn corner(segment: Segment, index: u32, hidden: bool) -> Corner {
     let beyond = select(behind, overhang(tangent, out.neighbours.zw, reach), at.x > 0.5);
     let pixel = select(p - tangent * beyond, q + tangent * beyond, at.x > 0.5) + side * reach * (2.0 * at.y - 1.0);
     let depth = mix(start.z / start.w, end.z / end.w, at.x);
-    out.clip = vec4f(2.0 * pixel / view.metrics.xy - 1.0, min(depth * (1.0 + segment.along.z), 1.0), 1.0);
-    if whole_start.w < view.eye.w && whole_end.w < view.eye.w || out.pen.y <= 0.0 {
+    out.clip = vec4f(2.0 * pixel / pane.metrics.xy - 1.0, min(depth * (1.0 + segment.along.z), 1.0), 1.0);
+    if whole_start.w < pane.eye.w && whole_end.w < pane.eye.w || out.pen.y <= 0.0 {
         out.clip = vec4f(2.0, 2.0, 0.0, 1.0);
     }
     out.pixel = pixel;

@@ -22,7 +22,7 @@ struct Corner {
 // The corners of a polygon of the screen that holds both (normalised device coordinates).
 @vertex
 fn vertex(@location(0) ndc: vec2f) -> Corner {
-    let ray = view.ray_forward.xyz + ndc.x * view.ray_right.xyz + ndc.y * view.ray_up.xyz;
+    let ray = pane.ray_forward.xyz + ndc.x * pane.ray_right.xyz + ndc.y * pane.ray_up.xyz;
     return Corner(vec4f(ndc, 0.5, 1.0), ray);
 }
 
@@ -37,7 +37,7 @@ struct Meeting {
 }
 
 fn meet(quadric: Quadric, ray: vec3f) -> Meeting {
-    let o = (quadric.unit_from_world * vec4f(view.eye.xyz, 1.0)).xyz;
+    let o = (quadric.unit_from_world * vec4f(pane.eye.xyz, 1.0)).xyz;
     let d = (quadric.unit_from_world * vec4f(ray, 0.0)).xyz;
     let squared = dot(d, d);
     let middle = -dot(o, d) / squared;
@@ -70,7 +70,7 @@ fn wall(quadric: Quadric, meeting: Meeting, sight: Sight, outer: bool, coverage:
     let alpha = quadric.color.a;
     let opacity = alpha / (alpha + (1.0 - alpha) * max(abs(facing), 0.2));
     let color = lit(quadric.color.rgb, select(-outward, outward, outer), sight.half_way, select(0.0, 0.12, outer));
-    let shown = select(0.0, opacity * coverage, depth > view.eye.w);
+    let shown = select(0.0, opacity * coverage, depth > pane.eye.w);
     return Wall(depth, vec4f(color * (select(0.8, 1.0, outer) * shown), shown));
 }
 
@@ -87,7 +87,7 @@ struct Fragment {
 fn fragment(corner: Corner) -> Fragment {
     let ray = corner.ray;
     let to_eye = -normalize(ray);
-    let sight = Sight(to_eye, normalize(view.key_light.xyz + to_eye));
+    let sight = Sight(to_eye, normalize(pane.key_light.xyz + to_eye));
     let one = meet(pair.first, ray);
     let two = meet(pair.second, ray);
     let first = one.coverage;
@@ -121,5 +121,5 @@ fn fragment(corner: Corner) -> Fragment {
     if near < 0.5 {
         depth = min(select(1e30, one.far, first > 0.0), select(1e30, two.far, second > 0.0));
     }
-    return Fragment(color, clamp(view.eye.w / max(depth, view.eye.w), 0.0, 1.0));
+    return Fragment(color, clamp(pane.eye.w / max(depth, pane.eye.w), 0.0, 1.0));
 }

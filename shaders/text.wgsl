@@ -23,7 +23,7 @@ fn vertex(glyph: Glyph, @builtin(vertex_index) index: u32) -> Corner {
     let halo = glyph.source.z;
     let at = quad_corner(index) * (glyph.place.zw + 2.0 * halo) - halo;
     let pixel = glyph.place.xy + at;
-    let ndc = vec2f(2.0, -2.0) * pixel / view.metrics.xy + vec2f(-1.0, 1.0);
+    let ndc = vec2f(2.0, -2.0) * pixel / pane.metrics.xy + vec2f(-1.0, 1.0);
     let box = vec4f(glyph.source.xy, glyph.source.xy + glyph.place.zw);
     return Corner(vec4f(ndc, 1.0, 1.0), glyph.source.xy + at, box, halo, glyph.color);
 }

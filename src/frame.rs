@@ -1,6 +1,6 @@
 //! What a picture consists of, as plain f32 data: the one place where f64 becomes f32.
 //!
-//! Objects write a [`Frame`], the renderer reads it. Lengths in a view are in units of what it shows (about 1);
+//! Objects write a [`Frame`], the renderer reads it. Lengths in a pane are in units of what it shows (about 1);
 //! widths and text sizes are in points: 1/720 of the height of a 16:9 picture, whatever its size in pixels.
 
 use glam::{DMat3, DVec3, Mat3, Mat4, Vec2, Vec3};
@@ -63,7 +63,7 @@ pub struct Frame {
     /// Factor on every width and text size.
     pub font_scale: f32,
     /// The parts of the picture, left to right or top to bottom.
-    pub views: Vec<View>,
+    pub panes: Vec<Pane>,
 }
 
 /// A part of the picture, as fractions of its width and height from the top left corner.
@@ -89,38 +89,48 @@ impl Area {
 
 /// One scene seen by one camera in one part of the picture.
 #[derive(Clone, Debug, PartialEq)]
-pub struct View {
+pub struct Pane {
     /// Where in the picture.
     pub area: Area,
     /// From where it is seen.
     pub camera: Camera,
-    /// Bodies made of triangles.
-    pub solids: Vec<Solid>,
-    /// Translucent quadrics, drawn pair by pair after the solids.
+    /// How far before its place a line is tested against surfaces, as a part of its distance from the eye: it may lie on one.
+    pub lift: f32,
+    /// Surfaces made of triangles.
+    pub meshes: Vec<Mesh>,
+    /// Translucent quadrics, drawn pair by pair after the meshes.
     pub quadrics: Vec<QuadricPair>,
     /// Lines of constant width on the screen.
     pub lines: Vec<Line>,
     /// Marks of constant size on the screen.
-    pub points: Vec<Point>,
+    pub markers: Vec<Marker>,
     /// Texts beside points of the scene.
     pub labels: Vec<Label>,
     /// Texts in the upper left corner, the first one highest.
     pub notes: Vec<Note>,
 }
 
-impl View {
-    /// An empty view.
+impl Pane {
+    /// An empty pane.
     #[must_use]
-    pub fn new(area: Area, camera: Camera) -> Self {
-        let (solids, quadrics, lines, points) = (vec![], vec![], vec![], vec![]);
-        Self { area, camera, solids, quadrics, lines, points, labels: vec![], notes: vec![] }
+    pub fn new(area: Area, camera: Camera, lift: f32) -> Self {
+        let (meshes, quadrics, lines, markers) = (vec![], vec![], vec![], vec![]);
+        Self { area, camera, lift, meshes, quadrics, lines, markers, labels: vec![], notes: vec![] }
+    }
+
+    /// Adds a surface that is cut by the other one of its kind, where that is drawn: the two are composited together.
+    pub fn add_cutting(&mut self, quadric: Quadric) {
+        match self.quadrics.iter_mut().find(|pair| pair.is_open) {
+            Some(pair) => (pair.second, pair.is_open) = (Some(quadric), false),
+            None => self.quadrics.push(QuadricPair { is_open: true, ..QuadricPair::one(quadric, false) }),
+        }
     }
 }
 
 /// A corner of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vertex {
-    /// Where, in the view's world.
+    /// Where, in the pane's world.
     pub position: Vec3,
     /// Outward unit normal; zero for a surface that takes no light.
     pub normal: Vec3,
@@ -131,19 +141,12 @@ pub struct Vertex {
 /// Triangles with their colours.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
+    /// Opaque ones hide what is behind; the others are blended over the opaque ones, farthest first.
+    pub opaque: bool,
     /// The corners.
     pub vertices: Vec<Vertex>,
     /// Three indices a triangle, counter-clockwise seen from outside.
     pub indices: Vec<u32>,
-}
-
-/// A body made of triangles.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Solid {
-    /// Its triangles.
-    pub mesh: Mesh,
-    /// Opaque ones hide what is behind; the others are blended over the opaque ones, farthest first.
-    pub opaque: bool,
 }
 
 /// A closed quadric surface `|unit_from_world p| = 1` (ellipsoid), translucent.
@@ -174,18 +177,34 @@ pub struct QuadricPair {
     pub second: Option<Quadric>,
     /// Something opaque may lie inside: the far walls are then blended before the near ones, each against it.
     pub hollow: bool,
+    /// Whether a second one is still waited for (see [`Pane::add_cutting`]).
+    pub is_open: bool,
+}
+
+impl QuadricPair {
+    /// One by itself.
+    #[must_use]
+    pub fn one(first: Quadric, hollow: bool) -> Self {
+        Self { first, second: None, hollow, is_open: false }
+    }
+
+    /// Two that cut each other.
+    #[must_use]
+    pub fn two(first: Quadric, second: Quadric, hollow: bool) -> Self {
+        Self { first, second: Some(second), hollow, is_open: false }
+    }
 }
 
 /// One point of a [`Line`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinePoint {
-    /// Where, in the view's world.
+    /// Where, in the pane's world.
     pub position: Vec3,
     /// Colour here, blended along the line.
     pub color: Color,
 }
 
-/// The pattern of a line, in lengths of the view's world.
+/// The pattern of a line, in lengths of the pane's world.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Dash {
     /// Unbroken.
@@ -208,9 +227,8 @@ pub struct Line {
     pub dash: Dash,
     /// Factor on the opacity where a surface hides the line; 0 hides it wholly.
     pub hidden: f32,
-    /// How far before its place the line is tested against surfaces, as a part of its distance from the eye: it may lie
-    /// on one.
-    pub lift: f32,
+    /// Something that moves follows it, with its label: names that stand still keep off it.
+    pub is_followed: bool,
 }
 
 impl Line {
@@ -218,7 +236,7 @@ impl Line {
     #[must_use]
     pub fn new(points: impl IntoIterator<Item = Vec3>, width: f32, color: Color) -> Self {
         let points = points.into_iter().map(|position| LinePoint { position, color }).collect();
-        Self { points, width, dash: Dash::Solid, hidden: 0.0, lift: 0.005 }
+        Self { points, width, dash: Dash::Solid, hidden: 0.0, is_followed: false }
     }
 
     /// The same line, seen this strongly through surfaces.
@@ -274,8 +292,8 @@ pub enum Mark {
 
 /// A mark of constant size on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
-    /// Where, in the view's world.
+pub struct Marker {
+    /// Where, in the pane's world.
     pub position: Vec3,
     /// Diameter in points.
     pub size: f32,
@@ -294,25 +312,43 @@ pub struct Point {
 /// A text beside a point of the scene. Labels stay in the picture, and those that stand still avoid each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// What is labelled, in the view's world.
+    /// What is labelled, in the pane's world.
     pub anchor: Vec3,
     /// Where the text would like to be from there on the screen: direction (x right, y up), any length.
     pub toward: Vec2,
-    /// Free space between the anchor and the text (points).
-    pub gap: f32,
     /// The text.
     pub text: String,
-    /// Height of the text (points).
-    pub size: f32,
     /// Its colour.
     pub color: Color,
+    /// How it is set.
+    pub style: LabelStyle,
+    /// Other places of what is labelled, each with its direction, where a label that stands still may go instead.
+    pub others: Vec<(Vec3, Vec2)>,
+}
+
+impl Label {
+    /// A label at this one place.
+    #[must_use]
+    pub fn new(anchor: Vec3, toward: Vec2, text: &str, color: Color, style: LabelStyle) -> Self {
+        Self { anchor, toward, text: text.to_owned(), color, style, others: vec![] }
+    }
+}
+
+/// How the labels of one kind of thing are set.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LabelStyle {
+    /// Height of the text (points).
+    pub size: f32,
+    /// Free space between the anchor and the text (points).
+    pub gap: f32,
     /// Higher ones choose their places first, and others fade where they come near.
     pub priority: i32,
     /// Follows the motion, and stays in its wanted direction; labels that do not stand still while time runs.
     pub moves: bool,
 }
 
-/// A line of text in the corner of a view, after a sample of what it explains.
+/// A line of text in the corner of a pane: it lies on the screen and not in the pane's world. Those with a swatch stand side by
+/// side where there is room.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Note {
     /// The text.
@@ -321,13 +357,13 @@ pub struct Note {
     pub size: f32,
     /// Its colour.
     pub color: Color,
-    /// What stands before it.
-    pub sample: Option<Sample>,
+    /// A piece of what it explains, before it.
+    pub swatch: Option<Swatch>,
 }
 
 /// A short piece of a line with a mark on it, as a legend shows them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
+pub struct Swatch {
     /// Pattern of the line, its period in points.
     pub dash: Dash,
     /// Form of the mark.

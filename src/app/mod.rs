@@ -2,7 +2,6 @@
 //!
 //! Nothing is drawn unless something changed, and nothing at all while the window cannot be seen.
 
-mod compose;
 mod files;
 mod mapping;
 mod offscreen;

@@ -1,9 +1,8 @@
 //! The window as it would look, drawn with no window: the picture with the panels around it.
 
-use super::compose::Compose;
 use super::open::{picture_point, place, zoom};
 use super::screen::{Painted, paint, upload};
-use crate::render::{Canvas, FORMAT, Gpu, GpuError, Pixels, Renderer};
+use crate::render::{Canvas, FORMAT, Gpu, GpuError, Painter, Pixels};
 use crate::scene::Scene;
 use crate::session::{Remembered, Session};
 use crate::ui::{Panels, style};
@@ -30,7 +29,7 @@ pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]
     let canvas = Canvas::new(gpu, [width, height]);
     // The panels' renderer ends the program on a device that is lost.
     gpu.check()?;
-    let mut painter = egui_wgpu::Renderer::new(&gpu.device, FORMAT, egui_wgpu::RendererOptions::PREDICTABLE);
+    let mut panels_painter = egui_wgpu::Renderer::new(&gpu.device, FORMAT, egui_wgpu::RendererOptions::PREDICTABLE);
 
     // The first pass has no sizes yet.
     let mut last = None;
@@ -43,20 +42,17 @@ pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]
         let mut picture = egui::Rect::NOTHING;
         let look = session.look(None, false);
         let mut output = context.run_ui(input, |ui| picture = panels.ui(ui, &look).picture);
-        upload(gpu, &mut painter, &mut output.textures_delta);
+        upload(gpu, &mut panels_painter, &mut output.textures_delta);
         last = Some((output, picture));
     }
     if let Some((output, picture)) = last {
         let (corner, size) = place(picture, output.pixels_per_point, window);
-        let mut compose = Compose::new(gpu, FORMAT);
+        let mut painter = Painter::for_window(gpu, FORMAT);
         if size.0 > 0 && size.1 > 0 {
-            compose.resize(gpu, size);
+            painter.resize_picture(gpu, size);
             let frame = session.frame(size.0 as f32 / size.1 as f32);
-            if let Some((target, size)) = compose.target() {
-                // The frame scales its texts itself.
-                let point = picture_point(output.pixels_per_point, size) / frame.font_scale;
-                Renderer::new(gpu).render(gpu, &frame, target, [size.0, size.1], point);
-            }
+            // The frame scales its texts itself.
+            painter.draw_picture(gpu, &frame, picture_point(output.pixels_per_point, size) / frame.font_scale);
         }
         let painted = Painted {
             primitives: context.tessellate(output.shapes, output.pixels_per_point),
@@ -64,7 +60,7 @@ pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]
             pixels_per_point: output.pixels_per_point,
             background: context.global_style().visuals.panel_fill,
         };
-        paint(gpu, (canvas.view(), window), (&compose, corner), &mut painter, &painted);
+        paint(gpu, (canvas.view(), window), (&painter, corner), &mut panels_painter, &painted);
     }
     canvas.read(gpu)
 }

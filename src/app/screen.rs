@@ -7,18 +7,16 @@ use winit::event_loop::OwnedDisplayHandle;
 use winit::window::Window;
 
 use super::WindowError;
-use super::compose::Compose;
 use super::surface::{Acquired, Surface};
 use crate::frame::Frame;
-use crate::render::{Canvas, Gpu, Pixels, Renderer, point_size};
+use crate::render::{Canvas, Gpu, Painter, Pixels};
 
 /// The device, the window's surface and what is drawn with.
 pub(super) struct Screen {
     // Dropped in this order: what lives on the device before the device, the surface before its instance.
     surface: Surface,
-    compose: Compose,
+    painter: Painter,
     panels: egui_wgpu::Renderer,
-    renderer: Renderer,
     gpu: Gpu,
     instance: wgpu::Instance,
     is_lost: Arc<AtomicBool>,
@@ -74,10 +72,9 @@ impl Screen {
             }
         });
         let surface = Surface::new(surface, &gpu, window)?;
-        let compose = Compose::new(&gpu, surface.format());
+        let painter = Painter::for_window(&gpu, surface.format());
         let panels = egui_wgpu::Renderer::new(&gpu.device, surface.format(), egui_wgpu::RendererOptions::default());
-        let renderer = Renderer::new(&gpu);
-        Ok(Self { surface, compose, panels, renderer, gpu, instance, is_lost, is_trial })
+        Ok(Self { surface, painter, panels, gpu, instance, is_lost, is_trial })
     }
 
     /// Whether the device is gone and everything on it.
@@ -108,20 +105,18 @@ impl Screen {
 
     /// Gives the picture its size; true where it must be drawn anew.
     pub(super) fn resize_picture(&mut self, size: (u32, u32)) -> bool {
-        self.compose.resize(&self.gpu, size)
+        self.painter.resize_picture(&self.gpu, size)
     }
 
     /// Draws the picture, with this many pixels a point.
     pub(super) fn draw_picture(&mut self, frame: &Frame, point: f32) {
-        if let Some((target, size)) = self.compose.target() {
-            self.renderer.render(&self.gpu, frame, target, [size.0, size.1], point);
-        }
+        self.painter.draw_picture(&self.gpu, frame, point);
     }
 
     /// Draws a picture apart from the window.
     pub(super) fn picture(&mut self, frame: &Frame, size: [u32; 2]) -> Result<Pixels, String> {
         let canvas = Canvas::new(&self.gpu, size);
-        self.renderer.render(&self.gpu, frame, canvas.view(), size, point_size(size));
+        self.painter.draw_on(&self.gpu, &canvas, frame);
         canvas.read(&self.gpu).map_err(|error| error.to_string())
     }
 
@@ -137,7 +132,7 @@ impl Screen {
         let presented = match self.surface.acquire(&self.instance, &self.gpu, window) {
             Acquired::Frame { texture, is_suboptimal } => {
                 let view = texture.texture.create_view(&wgpu::TextureViewDescriptor::default());
-                let picture = (&self.compose, picture_corner);
+                let picture = (&self.painter, picture_corner);
                 paint(&self.gpu, (&view, self.surface.size()), picture, &mut self.panels, &painted);
                 window.pre_present_notify();
                 self.gpu.queue.present(texture);
@@ -164,7 +159,7 @@ impl Screen {
 pub(super) fn paint(
     gpu: &Gpu,
     (target, size): (&wgpu::TextureView, (u32, u32)),
-    (compose, corner): (&Compose, (u32, u32)),
+    (painter, corner): (&Painter, (u32, u32)),
     panels: &mut egui_wgpu::Renderer,
     painted: &Painted,
 ) {
@@ -190,7 +185,7 @@ pub(super) fn paint(
             multiview_mask: None,
         })
         .forget_lifetime();
-    compose.draw(&mut pass, corner, size);
+    painter.place_picture(&mut pass, corner, size);
     panels.render(&mut pass, &painted.primitives, &screen);
     drop(pass);
     queue.submit(uploads.into_iter().chain([encoder.finish()]));

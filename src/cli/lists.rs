@@ -114,21 +114,21 @@ pub(super) fn objects(arguments: &ListArguments) -> Result<(), Failure> {
     use dzhanibekov::objects::{OBJECTS, Space};
     let space = |space| match space {
         Space::World => "world",
-        Space::Body => "body",
+        Space::Momentum => "body",
     };
     if arguments.json {
         let list: Vec<_> = OBJECTS
             .iter()
             .map(|object| {
                 json!({ "name": object.name, "label": object.label, "view": space(object.space), "shown": object.shown,
-                        "about": object.about })
+                        "about": object.help })
             })
             .collect();
         return print(&format!("{:#}\n", json!(list)));
     }
     print(&table(OBJECTS.iter().map(|object| {
         let shown = if object.shown { "shown" } else { "not shown" };
-        [object.name, space(object.space), shown, object.label, object.about]
+        [object.name, space(object.space), shown, object.label, object.help]
     })))
 }
 

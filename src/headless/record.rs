@@ -9,7 +9,7 @@ use super::fault;
 use super::shot::{HeadlessError, ShotOptions};
 use crate::frame::Frame;
 use crate::objects::{Cameras, build_frame};
-use crate::render::{Canvas, Gpu, Pixels, Reading, Renderer, point_size};
+use crate::render::{Canvas, Gpu, Painter, Pixels, Reading};
 use crate::scene::Scene;
 use crate::sim::Simulation;
 
@@ -140,13 +140,13 @@ struct Artist<'a> {
     cameras: Cameras,
     transparent: bool,
     gpu: &'a Gpu,
-    renderer: Renderer,
+    painter: Painter,
     canvases: [Canvas; 2],
 }
 
 impl<'a> Artist<'a> {
     fn new(gpu: &'a Gpu, scene: &'a Scene, recording: &Recording) -> Result<Self, HeadlessError> {
-        let renderer = Renderer::new(gpu);
+        let painter = Painter::new(gpu);
         let canvases = [(); 2].map(|()| Canvas::new(gpu, recording.shot.size));
         gpu.check()?;
         Ok(Self {
@@ -155,7 +155,7 @@ impl<'a> Artist<'a> {
             cameras: Cameras::new(&scene.view),
             transparent: recording.shot.transparent,
             gpu,
-            renderer,
+            painter,
             canvases,
         })
     }
@@ -169,7 +169,7 @@ impl<'a> Artist<'a> {
         let [width, height] = canvas.size();
         let mut frame: Frame = build_frame(self.scene, &self.simulation, &self.cameras, width as f32 / height as f32);
         frame.transparent = self.transparent;
-        self.renderer.render(self.gpu, &frame, canvas.view(), canvas.size(), point_size(canvas.size()));
+        self.painter.draw_on(self.gpu, canvas, &frame);
         Ok(canvas.begin_read(self.gpu))
     }
 

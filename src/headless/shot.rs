@@ -4,7 +4,7 @@ use super::fault;
 use crate::frame::Frame;
 use crate::objects::{Cameras, build_frame};
 use crate::render::png::{EncodingError, Remark, encode};
-use crate::render::{Canvas, Gpu, GpuError, Pixels, Renderer, point_size};
+use crate::render::{Canvas, Gpu, GpuError, Painter, Pixels};
 use crate::scene::Scene;
 use crate::sim::Simulation;
 
@@ -84,7 +84,7 @@ impl ShotOptions {
 /// Everything that draws pictures of one size, to be used again for each frame.
 pub struct Studio<'a> {
     gpu: &'a Gpu,
-    renderer: Renderer,
+    painter: Painter,
     canvas: Canvas,
 }
 
@@ -94,10 +94,10 @@ impl<'a> Studio<'a> {
     /// # Errors
     /// What the device reports.
     pub fn new(gpu: &'a Gpu, size: [u32; 2]) -> Result<Self, HeadlessError> {
-        let renderer = Renderer::new(gpu);
+        let painter = Painter::new(gpu);
         let canvas = Canvas::new(gpu, size);
         gpu.check()?;
-        Ok(Self { gpu, renderer, canvas })
+        Ok(Self { gpu, painter, canvas })
     }
 
     /// Draws a frame.
@@ -105,8 +105,7 @@ impl<'a> Studio<'a> {
     /// # Errors
     /// What the device reports.
     pub fn draw(&mut self, frame: &Frame) -> Result<Pixels, HeadlessError> {
-        let size = self.canvas.size();
-        self.renderer.render(self.gpu, frame, self.canvas.view(), size, point_size(size));
+        self.painter.draw_on(self.gpu, &self.canvas, frame);
         Ok(self.canvas.read(self.gpu)?)
     }
 

@@ -3,7 +3,7 @@
 use glam::{Mat3, Vec2, Vec3};
 
 use super::mesh::add_lathe;
-use crate::frame::{Color, Mesh, Solid, View};
+use crate::frame::{Color, Mesh, Pane};
 
 /// Radius of an arrow's shaft.
 const SHAFT: f32 = 0.020;
@@ -11,7 +11,7 @@ const SHAFT: f32 = 0.020;
 const ROUND: u32 = 28;
 
 /// Adds an arrow from one point to another; nothing where it would have no length.
-pub(super) fn add(view: &mut View, from: Vec3, to: Vec3, color: Color) {
+pub(super) fn add(pane: &mut Pane, from: Vec3, to: Vec3, color: Color) {
     let length = from.distance(to);
     if !(length.is_finite() && length > 1e-3) {
         return;
@@ -27,7 +27,7 @@ pub(super) fn add(view: &mut View, from: Vec3, to: Vec3, color: Color) {
         Vec2::new(head_radius, neck - 0.2 * head_length),
         Vec2::new(0.0, length),
     ];
-    let mut mesh = Mesh::default();
+    let mut mesh = Mesh { opaque: true, ..Mesh::default() };
     add_lathe(&mut mesh, from, map, &profile, false, ROUND, |_| color);
-    view.solids.push(Solid { mesh, opaque: true });
+    pane.meshes.push(mesh);
 }

@@ -3,39 +3,30 @@
 
 use glam::{Vec2, Vec3};
 
-use super::Context;
-use crate::frame::{Label, Line, Mark, Point, View};
+use super::{Context, labels};
+use crate::frame::{Label, Line, Mark, Marker, Pane};
 
 /// How far the axes stand out of the sphere.
 const REACH: f32 = 1.22;
 
 /// The parts of the axes outside the sphere.
-pub(super) fn axes(context: &Context<'_>, view: &mut View) {
+pub(super) fn axes(context: &Context<'_>, pane: &mut Pane) {
     let moments = context.simulation.body().principal_moments();
-    let (right, up, _) = view.camera.axes();
+    let (right, up, _) = pane.camera.axes();
     for (number, color) in context.palette.axes.into_iter().enumerate() {
         let axis = Vec3::AXES[number];
         for sign in [1.0, -1.0] {
-            view.lines.push(Line::new([axis * sign, axis * sign * REACH], 2.6, color).through(0.25));
+            pane.lines.push(Line::new([axis * sign, axis * sign * REACH], 2.6, color).through(0.25));
         }
         let index = ['₁', '₂', '₃'][number];
         let text = format!("I{index} = {}", significant(moments[number]));
         let toward = Vec2::new(2.0 * axis.dot(right), axis.dot(up));
-        view.labels.push(Label {
-            anchor: axis * REACH,
-            toward,
-            gap: 6.0,
-            text,
-            size: 19.0,
-            color,
-            priority: 5,
-            moves: false,
-        });
+        pane.labels.push(Label::new(axis * REACH, toward, &text, color, labels::MOMENT));
     }
 }
 
 /// The steady spins on the sphere.
-pub(super) fn poles(context: &Context<'_>, view: &mut View) {
+pub(super) fn poles(context: &Context<'_>, pane: &mut Pane) {
     if context.unit_momentum().is_none() {
         return;
     }
@@ -47,7 +38,7 @@ pub(super) fn poles(context: &Context<'_>, view: &mut View) {
         let size = if mark == Mark::Cross { 19.0 } else { 12.0 };
         for sign in [1.0, -1.0] {
             let position = Vec3::AXES[number] * sign;
-            view.points.push(Point {
+            pane.markers.push(Marker {
                 position,
                 size,
                 mark,

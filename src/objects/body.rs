@@ -3,7 +3,7 @@
 use glam::{Mat3, Vec2, Vec3};
 
 use super::{Context, mesh};
-use crate::frame::{Color, Line, Mesh, Solid, Vertex, View, single, single_matrix};
+use crate::frame::{Color, Line, Mesh, Pane, Vertex, single, single_matrix};
 use crate::physics::State;
 use crate::scene::PartKind;
 
@@ -12,11 +12,12 @@ const ROUND: u32 = 72;
 /// Rings of an ellipsoid from pole to pole.
 const RINGS: usize = 48;
 
-pub(super) fn draw(context: &Context<'_>, view: &mut View) {
+pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     let mut mesh = mesh_of(context, context.simulation.state(), context.palette.faces);
     add_marks(context, &mut mesh);
-    view.solids.push(Solid { mesh, opaque: true });
-    edges(context, context.simulation.state(), view, context.palette.background.alpha(0.55), 1.6);
+    mesh.opaque = true;
+    pane.meshes.push(mesh);
+    edges(context, context.simulation.state(), pane, context.palette.background.alpha(0.55), 1.6);
 }
 
 /// The triangles of the body in this state.
@@ -79,7 +80,7 @@ fn add_marks(context: &Context<'_>, mesh: &mut Mesh) {
 }
 
 /// The edges of the boxes of the body in this state.
-pub(super) fn edges(context: &Context<'_>, state: &State, view: &mut View, color: Color, width: f32) {
+pub(super) fn edges(context: &Context<'_>, state: &State, pane: &mut Pane, color: Color, width: f32) {
     for (centre, map, kind, _) in placed_parts(context, state) {
         if kind != PartKind::Box {
             continue;
@@ -87,7 +88,7 @@ pub(super) fn edges(context: &Context<'_>, state: &State, view: &mut View, color
         for axis in 0..3 {
             let (along, u, v) = (Vec3::AXES[axis], Vec3::AXES[(axis + 1) % 3], Vec3::AXES[(axis + 2) % 3]);
             for side in [u + v, u - v, v - u, -u - v] {
-                view.lines.push(Line::new([side - along, side + along].map(|p| centre + map * p), width, color));
+                pane.lines.push(Line::new([side - along, side + along].map(|p| centre + map * p), width, color));
             }
         }
     }

@@ -2,8 +2,8 @@
 
 use glam::{Mat3, Vec2, Vec3};
 
-use super::Context;
-use crate::frame::{Color, Label, Line, LinePoint, Quadric, QuadricPair, View, single, single_matrix};
+use super::{Context, labels};
+use crate::frame::{Color, Label, Line, LinePoint, Pane, Quadric, QuadricPair, single, single_matrix};
 use crate::physics::{Motion, State};
 
 /// Half length of the drawn axes, and radius of the sphere.
@@ -18,13 +18,13 @@ const FACING: f32 = 0.12;
 
 /// A short piece of each axis out of the body, with its number: which one is which on the momentum sphere. It is the end on
 /// the side of the eye, which the body never hides; both ends fade while they change places.
-pub(super) fn names(context: &Context<'_>, view: &mut View) {
-    // The whole axes have their own.
-    if !context.shows("body") || context.shows("body-axes") {
+pub(super) fn names(context: &Context<'_>, pane: &mut Pane) {
+    // They stand on the body, and the whole axes have their own.
+    if !context.shows(&super::BODY) || context.shows(&super::BODY_AXES) {
         return;
     }
     let world_from_principal = world_from_principal(context, context.simulation.state());
-    let eye = view.camera.eye().normalize_or_zero();
+    let eye = pane.camera.eye().normalize_or_zero();
     for number in 0..3 {
         let axis = world_from_principal.col(number);
         let facing = axis.dot(eye);
@@ -36,54 +36,53 @@ pub(super) fn names(context: &Context<'_>, view: &mut View) {
         let reach = parts.map(|(centre, map, ..)| axis.dot(centre) + (map.transpose() * axis).abs().element_sum());
         let foot = axis * reach.fold(0.0, f32::max);
         if foot.is_finite() {
-            named_end(view, foot, foot + axis * STUB, number, color, 0.0);
+            named_end(pane, foot, foot + axis * STUB, number, color, 0.0);
         }
     }
 }
 
 /// A piece of an axis, with its number at the end.
-fn named_end(view: &mut View, from: Vec3, end: Vec3, number: usize, color: Color, hidden: f32) {
-    let (right, up, _) = view.camera.axes();
-    view.lines.push(Line::new([from, end], 2.6, color).through(hidden));
+fn named_end(pane: &mut Pane, from: Vec3, end: Vec3, number: usize, color: Color, hidden: f32) {
+    let (right, up, _) = pane.camera.axes();
+    pane.lines.push(Line::new([from, end], 2.6, color).through(hidden));
     let along = Vec2::new(end.dot(right), end.dot(up)).normalize_or(Vec2::X);
     // Beside the end rather than above it, where L and ω may stand.
     let toward = Vec2::new(along.x + 0.8 * (1.0 - along.x.abs()), 0.5 * along.y);
-    let text = ["1", "2", "3"][number].to_owned();
-    view.labels.push(Label { anchor: end, toward, gap: 5.0, text, size: 24.0, color, priority: 4, moves: true });
+    pane.labels.push(Label::new(end, toward, ["1", "2", "3"][number], color, labels::NUMBER));
 }
 
 /// The three axes, named at their positive ends.
-pub(super) fn axes(context: &Context<'_>, view: &mut View) {
+pub(super) fn axes(context: &Context<'_>, pane: &mut Pane) {
     let world_from_principal = world_from_principal(context, context.simulation.state());
     for (number, color) in context.palette.axes.into_iter().enumerate() {
         let end = world_from_principal.col(number) * REACH;
-        named_end(view, -end, end, number, color, 0.35);
+        named_end(pane, -end, end, number, color, 0.35);
     }
 }
 
 /// The way of the axis that the body was started about.
-pub(super) fn trail(context: &Context<'_>, view: &mut View) {
+pub(super) fn trail(context: &Context<'_>, pane: &mut Pane) {
     let start = context.body_momentum(context.scene.start.body_momentum);
-    trail_of(start.abs().max_position(), context, view);
+    trail_of(start.abs().max_position(), context, pane);
 }
 
 /// The way of axis `NUMBER`, counted from 0.
-pub(super) fn trail_of_axis<const NUMBER: usize>(context: &Context<'_>, view: &mut View) {
-    trail_of(NUMBER, context, view);
+pub(super) fn trail_of_axis<const NUMBER: usize>(context: &Context<'_>, pane: &mut Pane) {
+    trail_of(NUMBER, context, pane);
 }
 
 /// The way of an axis over the last two flips.
-fn trail_of(number: usize, context: &Context<'_>, view: &mut View) {
+fn trail_of(number: usize, context: &Context<'_>, pane: &mut Pane) {
     let simulation = context.simulation;
     if context.unit_momentum().is_none() {
         return;
     }
     let color = context.palette.axes[number];
     let first = Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, Vec3::splat(REACH), context.palette.ink.alpha(0.035));
-    let sphere = QuadricPair { first, second: None, hollow: true };
+    let sphere = QuadricPair::one(first, true);
     // One sphere carries the trails of all axes.
-    if !view.quadrics.contains(&sphere) {
-        view.quadrics.push(sphere);
+    if !pane.quadrics.contains(&sphere) {
+        pane.quadrics.push(sphere);
     }
     let motion = Motion::new(simulation.body(), simulation.state());
     let points = (0..=TRAIL_POINTS).map(|n| {
@@ -93,7 +92,7 @@ fn trail_of(number: usize, context: &Context<'_>, view: &mut View) {
         LinePoint { position, color: color.fade(1.0 - part as f32) }
     });
     let points: Vec<LinePoint> = points.filter(|point| point.position.is_finite()).collect();
-    view.lines.push(Line { points, ..Line::new([], 2.6, color).through(0.3) });
+    pane.lines.push(Line { points, ..Line::new([], 2.6, color).through(0.3) });
 }
 
 fn world_from_principal(context: &Context<'_>, state: &State) -> Mat3 {
@@ -101,7 +100,7 @@ fn world_from_principal(context: &Context<'_>, state: &State) -> Mat3 {
 }
 
 /// The momentum sphere carried along by the body: it rolls along its polhode so that M's tip stays at the fixed L.
-pub(super) fn carried_sphere(context: &Context<'_>, view: &mut View) {
+pub(super) fn carried_sphere(context: &Context<'_>, pane: &mut Pane) {
     if context.unit_momentum().is_none() {
         return;
     }
@@ -109,15 +108,14 @@ pub(super) fn carried_sphere(context: &Context<'_>, view: &mut View) {
     let semi_axes = single(super::surfaces::semi_axes(context));
     let first = Quadric::ellipsoid(Vec3::ZERO, axes, Vec3::ONE, context.palette.sphere);
     let second = Quadric::ellipsoid(Vec3::ZERO, axes, semi_axes, context.palette.ellipsoid);
-    view.quadrics.push(QuadricPair { first, second: Some(second), hollow: true });
-    let momentum_space = View::new(view.area, view.camera);
-    let mut carried = momentum_space;
+    pane.quadrics.push(QuadricPair::two(first, second, true));
+    let mut carried = Pane::new(pane.area, pane.camera, pane.lift);
     super::polhode::draw(context, &mut carried);
     super::tip::tail(context, &mut carried);
     for mut line in carried.lines {
         for point in &mut line.points {
             point.position = axes * point.position;
         }
-        view.lines.push(line);
+        pane.lines.push(line);
     }
 }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::{DMat3, DQuat, DVec3, Mat3, Vec3};
 
-use super::{Palette, is_shown, object_named};
+use super::{OBJECTS, Object, Palette, Role, is_shown};
 use crate::frame::{single, single_matrix};
 use crate::physics::{State, poinsot, so3};
 use crate::scene::{self, Scene};
@@ -12,6 +12,8 @@ use crate::sim::Simulation;
 
 /// Radius at which the body is drawn in the world view.
 const BODY_RADIUS: f64 = 0.95;
+/// Length of L's arrow, a little beyond the plane of ω's tip.
+const MOMENTUM_ARROW: f32 = 1.34;
 /// Height at which the tip of ω moves in the world view.
 const OMEGA_HEIGHT: f64 = 1.02;
 /// Longest semi-axis of Poinsot's ellipsoid in the picture; where it is shown ω is drawn small enough for that.
@@ -38,6 +40,8 @@ pub struct Context<'a> {
     per_radian: f64,
     /// Height of the tip of ω.
     plane_height: f64,
+    /// Length of L's arrow while |L| is that of the start.
+    momentum_arrow: f32,
     /// A time (s) in which much happens: between flips, or about a turn where there are none.
     period: f64,
 }
@@ -52,8 +56,8 @@ impl<'a> Context<'a> {
         let energy = scene.start.energy(&scene.body);
         let height = 2.0 * energy / momentum_length;
         let ratio = (2.0 * energy / scene.body.principal_moments().x).sqrt() / height;
-        let rolling = shows(settings, "rolling-ellipsoid");
-        let plane_height = if rolling { OMEGA_HEIGHT.min(LONGEST_SEMI_AXIS / ratio) } else { OMEGA_HEIGHT };
+        let needs_room = shows_any(settings, |role| role == Role::RollingEllipsoid);
+        let plane_height = if needs_room { OMEGA_HEIGHT.min(LONGEST_SEMI_AXIS / ratio) } else { OMEGA_HEIGHT };
         let turn = TAU / so3::norm(scene.start.body_angular_velocity(&scene.body));
         let flip = poinsot::flip_period(&scene.body, scene.start.body_momentum);
         let period = flip.unwrap_or(2.0 * turn).min(20.0 * turn);
@@ -68,13 +72,26 @@ impl<'a> Context<'a> {
             momentum_length,
             per_radian: plane_height * reciprocal(height),
             plane_height,
+            // Where the sphere |M| = |L| is drawn too, L ends on it.
+            momentum_arrow: if shows_any(settings, |role| role == Role::MomentumSphere) { 1.0 } else { MOMENTUM_ARROW },
             period: if period.is_finite() { period } else { 1.0 },
         }
     }
 
     /// Whether the settings show an object.
-    pub(super) fn shows(&self, name: &str) -> bool {
-        shows(self.settings, name)
+    pub(super) fn shows(&self, object: &Object) -> bool {
+        is_shown(object, self.settings)
+    }
+
+    /// Whether they show any object of the world with a role like this.
+    pub(super) fn shows_any(&self, is_meant: impl Fn(Role) -> bool) -> bool {
+        shows_any(self.settings, is_meant)
+    }
+
+    /// Length of L's arrow while |L| is that of the start.
+    #[must_use]
+    pub fn momentum_arrow(&self) -> f32 {
+        self.momentum_arrow
     }
 
     /// Takes the body's own axes to the picture of the world.
@@ -144,8 +161,8 @@ impl<'a> Context<'a> {
     }
 }
 
-fn shows(settings: &scene::View, name: &str) -> bool {
-    object_named(name).is_some_and(|object| is_shown(object, settings))
+fn shows_any(settings: &scene::View, is_meant: impl Fn(Role) -> bool) -> bool {
+    OBJECTS.iter().any(|object| is_meant(object.role) && is_shown(object, settings))
 }
 
 /// The shortest turn that takes a momentum to the vertical.

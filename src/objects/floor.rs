@@ -7,13 +7,15 @@ use std::f32::consts::TAU;
 
 use glam::{Mat2, Mat3, Vec2, Vec3};
 
-use super::{Context, body};
-use crate::frame::{Color, Dash, Label, Line, LinePoint, Mark, Mesh, Point, Quadric, QuadricPair, Solid, Vertex, View};
+use super::{Context, Role, body, labels};
+use crate::frame::{
+    Color, Dash, Label, LabelStyle, Line, LinePoint, Mark, Marker, Mesh, Pane, Quadric, QuadricPair, Vertex,
+};
 use crate::frame::{single, single_matrix};
 use crate::physics::{Motion, poinsot};
 
 /// Radius of the drawn part of the plane.
-const PLANE_RADIUS: f32 = 0.93;
+const PLANE_RADIUS: f32 = 0.9;
 /// Flips before and after now that the herpolhode is drawn for.
 const FLIPS: f64 = 3.0;
 const HERPOLHODE_POINTS: u32 = 1600;
@@ -21,7 +23,7 @@ const HERPOLHODE_POINTS: u32 = 1600;
 const SPACING: f32 = 0.004;
 
 /// The body's soft shadow: the spread of the body's parts over the floor, blurred.
-pub(super) fn shadow(context: &Context<'_>, view: &mut View) {
+pub(super) fn shadow(context: &Context<'_>, pane: &mut Pane) {
     let floor = Vec3::new(0.0, 0.0, -context.plane_height());
     let (mut weight, mut mean, mut spread) = (0.0, Vec3::ZERO, Mat3::ZERO);
     for (centre, map, ..) in body::placed_parts(context, context.simulation.state()) {
@@ -46,36 +48,35 @@ pub(super) fn shadow(context: &Context<'_>, view: &mut View) {
     let map = Mat2::from_cols_array(&[a + root, b, b, d + root]) * scale * 2.4;
     let shade = context.palette.shadow;
     let centre = Vec3::new(middle.x, middle.y, floor.z + 0.004);
-    disc(view, centre, map, 8, |r| shade.fade((1.0 - r * r).powi(2)));
+    disc(pane, centre, map, 8, |r| shade.fade((1.0 - r * r).powi(2)));
 }
 
 /// The invariable plane itself, with its name.
-pub(super) fn plane(context: &Context<'_>, view: &mut View) {
+pub(super) fn plane(context: &Context<'_>, pane: &mut Pane) {
     let centre = Vec3::new(0.0, 0.0, -context.plane_height());
     let ink = context.palette.ink;
-    disc(view, centre, Mat2::from_diagonal(Vec2::splat(PLANE_RADIUS)), 1, |_| ink.alpha(0.05));
-    view.lines.push(Line::new(circle(centre, PLANE_RADIUS), 1.4, ink.alpha(0.5)));
+    disc(pane, centre, Mat2::from_diagonal(Vec2::splat(PLANE_RADIUS)), 1, |_| ink.alpha(0.05));
+    pane.lines.push(Line::new(circle(centre, PLANE_RADIUS), 1.4, ink.alpha(0.5)));
     // Without Poinsot's construction on it it is the floor, and nobody asks for its name.
-    if !["rolling-ellipsoid", "herpolhode", "annulus"].into_iter().any(|name| context.shows(name)) {
+    if !context.shows_any(|role| matches!(role, Role::OnPlane | Role::RollingEllipsoid)) {
         return;
     }
-    let anchor = centre + nearside(view) * PLANE_RADIUS;
-    name(view, "invariable plane", anchor, Vec2::new(0.4, -1.0), ink.alpha(0.8), false);
+    let anchor = centre + nearside(pane) * PLANE_RADIUS;
+    name(pane, "invariable plane", anchor, Vec2::new(0.4, -1.0), ink.alpha(0.8), labels::FLOOR);
 }
 
 /// The level direction towards the lower right of the picture.
-fn nearside(view: &View) -> Vec3 {
-    let (right, _, forward) = view.camera.axes();
+fn nearside(pane: &Pane) -> Vec3 {
+    let (right, _, forward) = pane.camera.axes();
     Vec2::new(right.x - forward.x, right.y - forward.y).normalize_or(Vec2::X).extend(0.0)
 }
 
-fn name(view: &mut View, text: &str, anchor: Vec3, toward: Vec2, color: Color, moves: bool) {
-    let text = text.to_owned();
-    view.labels.push(Label { anchor, toward, gap: 6.0, text, size: 19.0, color, priority: 1, moves });
+fn name(pane: &mut Pane, text: &str, anchor: Vec3, toward: Vec2, color: Color, style: LabelStyle) {
+    pane.labels.push(Label::new(anchor, toward, text, color, style));
 }
 
 /// Poinsot's ellipsoid ½ ω·Iω = K, semi-axes √(2K/Iᵢ): it rolls on the plane without slipping.
-pub(super) fn rolling_ellipsoid(context: &Context<'_>, view: &mut View) {
+pub(super) fn rolling_ellipsoid(context: &Context<'_>, pane: &mut Pane) {
     let (simulation, body) = (context.simulation, context.simulation.body());
     let state = simulation.state();
     let semi_axes = single(poinsot::inertia_semi_axes(body, state.energy(body)) * context.per_radian());
@@ -85,27 +86,29 @@ pub(super) fn rolling_ellipsoid(context: &Context<'_>, view: &mut View) {
         return;
     }
     let first = Quadric::ellipsoid(Vec3::ZERO, axes, semi_axes, context.palette.ellipsoid);
-    view.quadrics.push(QuadricPair { first, second: None, hollow: true });
+    pane.quadrics.push(QuadricPair::one(first, true));
     // The polhode as it lies on the ellipsoid: the points that have been or will be in contact.
     let color = context.palette.polhode;
     let curve = poinsot::angular_velocity_polhode(body, state.body_momentum, super::polhode::POINTS);
     let points = curve.into_iter().map(|omega| world_from_body * single(omega * -context.per_radian()));
     let points: Vec<Vec3> = points.collect();
-    let (right, up, _) = view.camera.axes();
+    let (right, up, _) = pane.camera.axes();
     let fitness = |point: &Vec3| point.dot(up) + 0.5 * point.dot(right);
     let is_line = points.iter().any(|point| point.distance(points[0]) > 0.05);
     if let Some(&anchor) = points.iter().filter(|_| is_line).max_by(|a, b| fitness(a).total_cmp(&fitness(b))) {
-        name(view, "polhode", anchor, Vec2::new(1.0, 0.5), color, true);
+        name(pane, "polhode", anchor, Vec2::new(1.0, 0.5), color, labels::ROLLING);
     }
-    view.lines.push(Line::new(points, 3.0, color).through(0.6));
+    pane.lines.push(Line::new(points, 3.0, color).through(0.6));
     let position = -context.world_angular_velocity(state.world_angular_velocity(body));
     let rim = context.palette.background;
     let color = context.palette.omega;
-    view.points.push(Point { position, size: 15.0, mark: Mark::Disc, color, rim, hidden: 0.6, moves: true });
+    // The line of ω, on to where it meets the plane.
+    pane.lines.push(Line::new([Vec3::ZERO, position], 1.6, color).dashed(Dash::Dashed(0.06)).through(0.6));
+    pane.markers.push(Marker { position, size: 15.0, mark: Mark::Disc, color, rim, hidden: 0.6, moves: true });
 }
 
 /// The path of the contact point on the plane, before and after now.
-pub(super) fn herpolhode(context: &Context<'_>, view: &mut View) {
+pub(super) fn herpolhode(context: &Context<'_>, pane: &mut Pane) {
     let simulation = context.simulation;
     let body = simulation.body();
     if context.unit_momentum().is_none() {
@@ -123,18 +126,18 @@ pub(super) fn herpolhode(context: &Context<'_>, view: &mut View) {
             points.push(LinePoint { position, color: color.fade(strength) });
         }
     }
-    view.lines.push(Line { points, ..Line::new([], 2.2, color).through(0.6) });
+    pane.lines.push(Line { points, ..Line::new([], 2.2, color).through(0.6) });
     // Its name stands at the outer circle of its annulus, which does not move.
     let (_, outer) = poinsot::herpolhode_radii(body, simulation.state().body_momentum);
     let radius = (outer * context.per_radian()) as f32;
     if radius > 0.02 && radius < PLANE_RADIUS {
-        let anchor = Vec3::new(0.0, 0.0, -context.plane_height()) + nearside(view) * radius;
-        name(view, "herpolhode", anchor, Vec2::new(1.0, -0.3), color, false);
+        let anchor = Vec3::new(0.0, 0.0, -context.plane_height()) + nearside(pane) * radius;
+        name(pane, "herpolhode", anchor, Vec2::new(1.0, -0.3), color, labels::FLOOR);
     }
 }
 
 /// The two circles that the herpolhode touches in turn.
-pub(super) fn annulus(context: &Context<'_>, view: &mut View) {
+pub(super) fn annulus(context: &Context<'_>, pane: &mut Pane) {
     let state = context.simulation.state();
     let (inner, outer) = poinsot::herpolhode_radii(context.simulation.body(), state.body_momentum);
     let centre = Vec3::new(0.0, 0.0, -context.plane_height());
@@ -142,7 +145,7 @@ pub(super) fn annulus(context: &Context<'_>, view: &mut View) {
         let radius = (radius * context.per_radian()) as f32;
         if radius > 1e-3 && radius < 20.0 {
             let line = Line::new(circle(centre, radius), 1.6, context.palette.ink.alpha(0.7));
-            view.lines.push(line.dashed(Dash::Dashed(0.06)).through(0.3));
+            pane.lines.push(line.dashed(Dash::Dashed(0.06)).through(0.3));
         }
     }
 }
@@ -152,7 +155,7 @@ fn circle(centre: Vec3, radius: f32) -> impl Iterator<Item = Vec3> {
 }
 
 /// A level disc under a linear map, coloured in so many rings by the distance from its middle (0 to 1).
-fn disc(view: &mut View, centre: Vec3, map: Mat2, rings: u32, color: impl Fn(f32) -> Color) {
+fn disc(pane: &mut Pane, centre: Vec3, map: Mat2, rings: u32, color: impl Fn(f32) -> Color) {
     const SPOKES: u32 = 48;
     let mut mesh = Mesh::default();
     for ring in 0..=rings {
@@ -168,5 +171,5 @@ fn disc(view: &mut View, centre: Vec3, map: Mat2, rings: u32, color: impl Fn(f32
             mesh.indices.extend([a, a + SPOKES, b + SPOKES, a, b + SPOKES, b]);
         }
     }
-    view.solids.push(Solid { mesh, opaque: false });
+    pane.meshes.push(mesh);
 }

@@ -1,7 +1,7 @@
 //! The same start under other methods, beside the scene's own: each method has its colour, line and mark.
 
 use super::{Context, body};
-use crate::frame::{Color, Dash, Line, Mark, Point, Solid, View};
+use crate::frame::{Color, Dash, Line, Mark, Marker, Pane};
 use crate::physics::{Method, methods, poinsot};
 use crate::scene::Theme;
 
@@ -47,7 +47,7 @@ pub(super) fn mark(method: &Method) -> Mark {
 }
 
 /// Translucent bodies.
-pub(super) fn bodies(context: &Context<'_>, view: &mut View) {
+pub(super) fn bodies(context: &Context<'_>, pane: &mut Pane) {
     let own = body::mesh_of(context, context.simulation.state(), context.palette.faces);
     for ghost in context.simulation.ghosts() {
         let state = ghost.state();
@@ -61,10 +61,10 @@ pub(super) fn bodies(context: &Context<'_>, view: &mut View) {
         }
         // A method that blows the body up is drawn until it leaves all bounds.
         if mesh.vertices.iter().all(|vertex| vertex.position.is_finite() && vertex.position.length() < 1e3) {
-            view.solids.push(Solid { mesh, opaque: false });
-            let before = view.lines.len();
-            body::edges(context, state, view, color, 2.2);
-            for line in &mut view.lines[before..] {
+            pane.meshes.push(mesh);
+            let before = pane.lines.len();
+            body::edges(context, state, pane, color, 2.2);
+            for line in &mut pane.lines[before..] {
                 line.dash = dash(ghost.method(), 1.0);
                 line.hidden = 0.5 * apart;
             }
@@ -73,7 +73,7 @@ pub(super) fn bodies(context: &Context<'_>, view: &mut View) {
 }
 
 /// A mark each where M is, and the path that it would follow from here.
-pub(super) fn marks(context: &Context<'_>, view: &mut View) {
+pub(super) fn marks(context: &Context<'_>, pane: &mut Pane) {
     let body = context.simulation.body();
     for ghost in context.simulation.ghosts() {
         let method = ghost.method();
@@ -85,8 +85,8 @@ pub(super) fn marks(context: &Context<'_>, view: &mut View) {
         }
         let curve = poinsot::polhode(body, momentum, super::polhode::POINTS);
         let points = curve.into_iter().map(|m| context.body_momentum(m));
-        view.lines.push(Line::new(points, 2.0, color.fade(0.8)).dashed(dash(method, 1.0)).through(0.3));
+        pane.lines.push(Line::new(points, 2.0, color.fade(0.8)).dashed(dash(method, 1.0)).through(0.3));
         let rim = context.palette.background;
-        view.points.push(Point { position, size: 16.0, mark: mark(method), color, rim, hidden: 0.7, moves: true });
+        pane.markers.push(Marker { position, size: 16.0, mark: mark(method), color, rim, hidden: 0.7, moves: true });
     }
 }

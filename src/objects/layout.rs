@@ -12,7 +12,18 @@ pub enum Space {
     /// The world, the angular momentum up.
     World,
     /// Momentum space in the body's principal axes.
-    Body,
+    Momentum,
+}
+
+impl Space {
+    /// How far before its place a line is tested against the surfaces of this space. On the round ones of momentum space a flat
+    /// stroke dips in near the outline; no thin body is there for it to shine through.
+    pub(super) fn lift(self) -> f32 {
+        match self {
+            Self::World => 0.005,
+            Self::Momentum => 0.014,
+        }
+    }
 }
 
 /// The spaces shown and their parts of a picture of this aspect: side by side, one above the other where it is tall.
@@ -24,15 +35,15 @@ pub fn areas(layout: Layout, aspect: f32) -> Vec<(Space, Area)> {
     };
     match layout {
         Layout::World => vec![(Space::World, Area::WHOLE)],
-        Layout::Body => vec![(Space::Body, Area::WHOLE)],
-        Layout::Both if aspect >= 1.0 => vec![(Space::World, half(0.0, 0.0)), (Space::Body, half(0.5, 0.0))],
-        Layout::Both => vec![(Space::World, half(0.0, 0.0)), (Space::Body, half(0.0, 0.5))],
+        Layout::Body => vec![(Space::Momentum, Area::WHOLE)],
+        Layout::Both if aspect >= 1.0 => vec![(Space::World, half(0.0, 0.0)), (Space::Momentum, half(0.5, 0.0))],
+        Layout::Both => vec![(Space::World, half(0.0, 0.0)), (Space::Momentum, half(0.0, 0.5))],
     }
 }
 
 /// Distances that frame everything.
-const WORLD_DISTANCE: f32 = 6.2;
-const BODY_DISTANCE: f32 = 6.7;
+const WORLD_DISTANCE: f32 = 6.6;
+const MOMENTUM_DISTANCE: f32 = 6.7;
 
 /// What sets a camera as it is, to a hundredth of a pixel, where this distance frames everything.
 fn setting(camera: &Camera, distance: f32) -> CameraFile {
@@ -51,7 +62,7 @@ pub struct Cameras {
     /// Of the world.
     pub world: Camera,
     /// Of momentum space.
-    pub body: Camera,
+    pub momentum: Camera,
 }
 
 impl Cameras {
@@ -70,8 +81,8 @@ impl Cameras {
             Camera { target, ..Camera::new(azimuth, elevation, distance) }
         };
         Self {
-            world: camera(&view.world_camera, -60.0, 16.0, WORLD_DISTANCE, 0.2),
-            body: camera(&view.body_camera, 54.0, 22.0, BODY_DISTANCE, 0.19),
+            world: camera(&view.world_camera, -60.0, 16.0, WORLD_DISTANCE, 0.12),
+            momentum: camera(&view.body_camera, 54.0, 22.0, MOMENTUM_DISTANCE, 0.19),
         }
     }
 
@@ -81,8 +92,8 @@ impl Cameras {
         if self.world != before.world {
             file.world_camera = setting(&self.world, WORLD_DISTANCE);
         }
-        if self.body != before.body {
-            file.body_camera = setting(&self.body, BODY_DISTANCE);
+        if self.momentum != before.momentum {
+            file.body_camera = setting(&self.momentum, MOMENTUM_DISTANCE);
         }
     }
 
@@ -91,7 +102,7 @@ impl Cameras {
     pub fn of(&self, space: Space) -> &Camera {
         match space {
             Space::World => &self.world,
-            Space::Body => &self.body,
+            Space::Momentum => &self.momentum,
         }
     }
 
@@ -99,7 +110,7 @@ impl Cameras {
     pub fn of_mut(&mut self, space: Space) -> &mut Camera {
         match space {
             Space::World => &mut self.world,
-            Space::Body => &mut self.body,
+            Space::Momentum => &mut self.momentum,
         }
     }
 }
@@ -118,11 +129,11 @@ mod tests {
         cameras.write(&view, &mut file.view);
         assert_eq!(file, SceneFile::default());
         cameras.world.orbit(Vec2::new(0.3, -0.1));
-        cameras.body.pan(Vec2::new(0.1, 0.2));
-        cameras.body.zoom(2.0);
+        cameras.momentum.pan(Vec2::new(0.1, 0.2));
+        cameras.momentum.zoom(2.0);
         cameras.write(&view, &mut file.view);
         let back = Cameras::new(&Scene::check(&file)?.view);
-        for (one, other) in [(cameras.world, back.world), (cameras.body, back.body)] {
+        for (one, other) in [(cameras.world, back.world), (cameras.momentum, back.momentum)] {
             // Four decimals are written: of degrees, and of lengths about 1 to 6 times as large.
             assert!(one.eye().distance(other.eye()) < 1e-3 && one.target.distance(other.target) < 1e-4);
         }

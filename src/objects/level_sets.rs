@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 
 use super::Context;
 use super::curve::simplified;
-use crate::frame::{Line, View};
+use crate::frame::{Line, Pane};
 use crate::physics::{Body, poinsot};
 
 /// Paths round each stable pole.
@@ -13,7 +13,7 @@ const POINTS: usize = 120;
 /// Less than a pixel in a picture 2160 pixels high: these lines are faint, and each point is paid for where there is no GPU.
 const TOLERANCE: f32 = 1e-3;
 
-pub(super) fn draw(context: &Context<'_>, view: &mut View) {
+pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     let body = context.simulation.body();
     if context.unit_momentum().is_none() {
         return;
@@ -25,7 +25,7 @@ pub(super) fn draw(context: &Context<'_>, view: &mut View) {
         let points = simplified(&points, TOLERANCE);
         // The same path round the other end of the axis.
         for sign in [1.0, -1.0] {
-            view.lines.push(Line::new(points.iter().map(|point| point * sign), 1.3, color).through(0.3));
+            pane.lines.push(Line::new(points.iter().map(|point| point * sign), 1.3, color).through(0.3));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What is drawn: one file an object, each a pure function of the simulation that adds primitives to a view.
+//! What is drawn: one file an object, each a pure function of the simulation that adds primitives to a pane.
 //!
 //! To draw something new: one file here, and one row of [`OBJECTS`].
 
@@ -11,6 +11,7 @@ mod context;
 mod curve;
 mod floor;
 mod ghosts;
+mod labels;
 mod layout;
 mod level_sets;
 mod mesh;
@@ -22,9 +23,12 @@ mod theme;
 mod tip;
 mod vectors;
 
+use Space::{Momentum, World};
+use glam::Vec2;
+
 use crate::camera::Camera;
-use crate::frame::{Frame, View};
-use crate::scene::{self, Scene};
+use crate::frame::{Color, Frame, Pane};
+use crate::scene::{self, Scene, Theme};
 use crate::sim::Simulation;
 
 pub use check::check;
@@ -43,10 +47,33 @@ pub struct Object {
     pub space: Space,
     /// Whether it is shown where nobody says otherwise.
     pub shown: bool,
-    /// What it is, in one sentence.
-    pub about: &'static str,
-    /// Adds it to a view of that space.
-    draw: fn(&Context<'_>, &mut View),
+    /// One sentence about it.
+    pub help: &'static str,
+    /// What it asks of the rest of the picture.
+    role: Role,
+    /// Adds it to a pane of that space.
+    draw: fn(&Context<'_>, &mut Pane),
+}
+
+/// What the rest of the picture does for an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Role {
+    /// Nothing.
+    Plain,
+    /// It is a part of Poinsot's construction, drawn on the invariable plane, which is then named.
+    OnPlane,
+    /// It is Poinsot's ellipsoid, for which ω is drawn small enough.
+    RollingEllipsoid,
+    /// It is the momentum sphere in the world, on which L then ends.
+    MomentumSphere,
+}
+
+impl Object {
+    /// The same row with a role.
+    const fn with(mut self, role: Role) -> Self {
+        self.role = role;
+        self
+    }
 }
 
 const fn object(
@@ -54,203 +81,111 @@ const fn object(
     label: &'static str,
     space: Space,
     shown: bool,
-    draw: fn(&Context<'_>, &mut View),
-    about: &'static str,
+    help: &'static str,
+    draw: fn(&Context<'_>, &mut Pane),
 ) -> Object {
-    Object { name, label, space, shown, about, draw }
+    Object { name, label, space, shown, help, role: Role::Plain, draw }
 }
+
+/// The body, on which its axes are numbered.
+const BODY: Object =
+    object("body", "Body", World, true, "the body, its faces in the colours of its principal axes", body::draw);
+/// The axes that turn with it, which have their own numbers.
+const BODY_AXES: Object =
+    object("body-axes", "Axes of the body", World, false, "the principal axes, turning with the body", body_axes::axes);
+/// The axes of momentum space, whose moments have a unit.
+const AXES: Object =
+    object("axes", "Principal axes", Momentum, true, "the principal axes 1, 2, 3 with their moments", axes::axes);
+/// The tip of M, which can be dragged where it is drawn.
+pub const TIP: Object = object("tip", "Tip of M", Momentum, true, "M, the momentum as the body sees it", tip::tip);
+
+/// The words of both spaces, under which there must be room.
+const WORLD_NOTES: Object = object(
+    "world-notes",
+    "Words about the world",
+    World,
+    true,
+    "what is seen, and which method is which",
+    notes::world,
+);
+const MOMENTUM_NOTES: Object = object(
+    "body-notes",
+    "Words about the momentum sphere",
+    Momentum,
+    true,
+    "what is seen, and the unit of the moments",
+    notes::momentum_space,
+);
 
 /// All objects, in the order in which they are added.
 pub static OBJECTS: &[Object] = &[
-    object(
-        "shadow",
-        "Shadow",
-        Space::World,
-        true,
-        floor::shadow,
-        "What the body would throw on the floor in light from above",
-    ),
-    object(
-        "plane",
-        "Invariable plane",
-        Space::World,
-        true,
-        floor::plane,
-        "The floor: the plane across L on which the ellipsoid of inertia rolls",
-    ),
+    object("shadow", "Shadow", World, true, "the body's soft shadow on the floor", floor::shadow),
+    object("plane", "Invariable plane", World, true, "the plane square to L, drawn as the floor", floor::plane),
     object(
         "annulus",
         "Annulus of the herpolhode",
-        Space::World,
+        World,
         false,
+        "the two circles between which it runs",
         floor::annulus,
-        "The ring of the plane within which the herpolhode stays",
-    ),
-    object(
-        "herpolhode",
-        "Herpolhode",
-        Space::World,
-        false,
-        floor::herpolhode,
-        "The path of the point of contact on the plane",
-    ),
+    )
+    .with(Role::OnPlane),
+    object("herpolhode", "Herpolhode", World, false, "the path of the contact point on the plane", floor::herpolhode)
+        .with(Role::OnPlane),
     object(
         "rolling-ellipsoid",
         "Poinsot's rolling ellipsoid",
-        Space::World,
+        World,
         false,
+        "the inertia ellipsoid, which rolls on the plane without slipping",
         floor::rolling_ellipsoid,
-        "The ellipsoid of inertia, which rolls on the plane without slipping",
-    ),
+    )
+    .with(Role::RollingEllipsoid),
     object(
         "rolling-sphere",
         "Rolling momentum sphere",
-        Space::World,
+        World,
         false,
+        "the momentum sphere as the body carries it, L's tip on its polhode",
         body_axes::carried_sphere,
-        "The momentum sphere carried by the body, with the polhode on it",
-    ),
-    object(
-        "axis-trail",
-        "Trail of the spin axis",
-        Space::World,
-        false,
-        body_axes::trail,
-        "The path of the tip of the axis that the body was spun about",
-    ),
-    object(
-        "axis-1-trail",
-        "Trail of axis 1",
-        Space::World,
-        false,
-        body_axes::trail_of_axis::<0>,
-        "The path of the tip of the axis of the smallest moment",
-    ),
-    object(
-        "axis-2-trail",
-        "Trail of axis 2",
-        Space::World,
-        false,
-        body_axes::trail_of_axis::<1>,
-        "The path of the tip of the axis of the middle moment",
-    ),
-    object(
-        "axis-3-trail",
-        "Trail of axis 3",
-        Space::World,
-        false,
-        body_axes::trail_of_axis::<2>,
-        "The path of the tip of the axis of the largest moment",
-    ),
-    object("body", "Body", Space::World, true, body::draw, "The body itself, its faces and edges"),
-    object(
-        "axis-names",
-        "Numbers of the axes",
-        Space::World,
-        true,
-        body_axes::names,
-        "The numbers 1, 2, 3 at the ends of the body's axes",
-    ),
-    object(
-        "body-axes",
-        "Axes of the body",
-        Space::World,
-        false,
-        body_axes::axes,
-        "The principal axes of the body, out of its faces",
-    ),
+    )
+    .with(Role::MomentumSphere),
+    object("axis-trail", "Trail of the spin axis", World, false, "the way of the axis spun about", body_axes::trail),
+    object("axis-1-trail", "Trail of axis 1", World, false, "the way of axis 1", body_axes::trail_of_axis::<0>),
+    object("axis-2-trail", "Trail of axis 2", World, false, "the way of axis 2", body_axes::trail_of_axis::<1>),
+    object("axis-3-trail", "Trail of axis 3", World, false, "the way of axis 3", body_axes::trail_of_axis::<2>),
+    BODY,
+    object("axis-names", "Numbers of the axes", World, true, "the numbers 1, 2, 3 on the body", body_axes::names),
+    BODY_AXES,
     object(
         "ghosts",
         "Bodies of the other methods",
-        Space::World,
+        World,
         true,
+        "the body as each other method has it",
         ghosts::bodies,
-        "The bodies of the methods that are compared, seen through",
     ),
-    object(
-        "momentum",
-        "Angular momentum L",
-        Space::World,
-        true,
-        vectors::momentum,
-        "The arrow of the angular momentum, which never moves",
-    ),
+    object("momentum", "Angular momentum L", World, true, "L, fixed in the room", vectors::momentum),
     object(
         "omega",
         "Angular velocity ω",
-        Space::World,
+        World,
         true,
+        "ω, the axis and rate of the turning",
         vectors::angular_velocity,
-        "The arrow of the angular velocity, which swings about L",
     ),
-    object(
-        "world-notes",
-        "Words about the world",
-        Space::World,
-        true,
-        notes::world,
-        "The caption over the world and the legend of the methods",
-    ),
-    object(
-        "sphere",
-        "Sphere |M| = |L|",
-        Space::Body,
-        true,
-        surfaces::sphere,
-        "The sphere that the tip of M cannot leave, for |M| stays the same",
-    ),
-    object(
-        "ellipsoid",
-        "Energy ellipsoid",
-        Space::Body,
-        true,
-        surfaces::ellipsoid,
-        "The ellipsoid of all momenta of the same energy",
-    ),
-    object("axes", "Principal axes", Space::Body, true, axes::axes, "The principal axes through momentum space"),
-    object(
-        "level-sets",
-        "Levels of the energy",
-        Space::Body,
-        true,
-        level_sets::draw,
-        "The paths of M at other energies, on the sphere",
-    ),
-    object(
-        "separatrix",
-        "Separatrix",
-        Space::Body,
-        true,
-        separatrix::draw,
-        "The two circles' border between paths about axis 1 and about axis 3",
-    ),
-    object(
-        "poles",
-        "Steady spins",
-        Space::Body,
-        true,
-        axes::poles,
-        "The six steady spins: stable ones dots, unstable ones crosses",
-    ),
-    object("polhode", "Polhode", Space::Body, true, polhode::draw, "The path of M: where sphere and ellipsoid cross"),
-    object(
-        "ghost-marks",
-        "M of the other methods",
-        Space::Body,
-        true,
-        ghosts::marks,
-        "The tips of M of the methods that are compared",
-    ),
-    object("tail", "Tail of M", Space::Body, true, tip::tail, "The way that the tip of M has just come"),
-    object("tip", "Tip of M", Space::Body, true, tip::tip, "The tip of M, and the arrow to it"),
-    object(
-        "body-notes",
-        "Words about the momentum sphere",
-        Space::Body,
-        true,
-        notes::body,
-        "The caption over momentum space",
-    ),
+    WORLD_NOTES,
+    object("sphere", "Sphere |M| = |L|", Momentum, true, "all M of the length of L", surfaces::sphere),
+    object("ellipsoid", "Energy ellipsoid", Momentum, true, "all M of the same energy", surfaces::ellipsoid),
+    AXES,
+    object("level-sets", "Levels of the energy", Momentum, true, "paths of M at other energies", level_sets::draw),
+    object("separatrix", "Separatrix", Momentum, true, "the border between the two kinds of motion", separatrix::draw),
+    object("poles", "Steady spins", Momentum, true, "where M stays: a disc is stable, a cross is not", axes::poles),
+    object("polhode", "Polhode", Momentum, true, "the path of M: where sphere and ellipsoid meet", polhode::draw),
+    object("ghost-marks", "M of the other methods", Momentum, true, "M as each other method has it", ghosts::marks),
+    object("tail", "Tail of M", Momentum, true, "where M was a moment ago", tip::tail),
+    TIP,
+    MOMENTUM_NOTES,
 ];
 
 /// Looks an object up by its name.
@@ -266,6 +201,20 @@ pub fn is_shown(object: &Object, view: &scene::View) -> bool {
     (object.shown || named(&view.show)) && !named(&view.hide)
 }
 
+/// Every object and whether a view's settings show it, what is usually shown first: what a list of them to choose from says.
+#[must_use]
+pub fn items(view: &scene::View) -> Vec<(&'static Object, bool)> {
+    let usual = OBJECTS.iter().filter(|object| object.shown);
+    let others = OBJECTS.iter().filter(|object| !object.shown);
+    usual.chain(others).map(|object| (object, is_shown(object, view))).collect()
+}
+
+/// The colours of the principal axes 1, 2, 3.
+#[must_use]
+pub fn axis_colors(theme: Theme) -> [Color; 3] {
+    Palette::new(theme).axes
+}
+
 /// The camera of a space as pictures of it are drawn: with room for what stands out of the sphere.
 #[must_use]
 pub fn camera(scene: &Scene, simulation: &Simulation, cameras: &Cameras, space: Space) -> Camera {
@@ -275,9 +224,13 @@ pub fn camera(scene: &Scene, simulation: &Simulation, cameras: &Cameras, space: 
 
 fn camera_of(context: &Context<'_>, cameras: &Cameras, space: Space) -> Camera {
     let mut camera = *cameras.of(space);
-    if space == Space::Body {
+    if space == Space::Momentum {
         camera.distance *= surfaces::room(context);
     }
+    // Under the legend.
+    let legend = notes::legend_height(context, space);
+    camera.distance /= 1.0 - legend;
+    camera.pan(Vec2::new(0.0, 0.5 * legend));
     camera
 }
 
@@ -287,26 +240,51 @@ pub fn build_frame(scene: &Scene, simulation: &Simulation, cameras: &Cameras, as
     let settings = &scene.view;
     let palette = Palette::new(settings.theme);
     let context = Context::new(scene, simulation, &palette);
-    let views = areas(settings.layout, aspect)
+    let panes = areas(settings.layout, aspect)
         .into_iter()
         .map(|(space, area)| {
-            let mut view = View::new(area, camera_of(&context, cameras, space));
+            let mut pane = Pane::new(area, camera_of(&context, cameras, space), space.lift());
             for object in OBJECTS.iter().filter(|object| object.space == space && is_shown(object, settings)) {
-                (object.draw)(&context, &mut view);
-            }
-            if space == Space::Body {
-                // On the round surfaces of momentum space a flat stroke dips in near the outline; no thin body is there
-                // for it to shine through.
-                for line in &mut view.lines {
-                    line.lift = 0.014;
-                }
+                (object.draw)(&context, &mut pane);
             }
             if !settings.labels {
-                view.labels.clear();
-                view.notes.clear();
+                pane.labels.clear();
+                pane.notes.clear();
             }
-            view
+            pane
         })
         .collect();
-    Frame { background: palette.background, transparent: false, font_scale: settings.font_scale as f32, views }
+    Frame { background: palette.background, transparent: false, font_scale: settings.font_scale as f32, panes }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{OBJECTS, Role, TIP, items, object_named};
+    use crate::scene::{Scene, SceneError, SceneFile};
+
+    #[test]
+    fn the_table_names_each_object_once_and_explains_it() {
+        for (number, object) in OBJECTS.iter().enumerate() {
+            assert!(OBJECTS[..number].iter().all(|other| other.name != object.name), "{} stands twice", object.name);
+            assert!(!object.help.is_empty() && !object.help.ends_with('.'), "{}: {}", object.name, object.help);
+        }
+        assert!(object_named(TIP.name).is_some_and(|row| row.space == TIP.space));
+        for role in [Role::OnPlane, Role::RollingEllipsoid, Role::MomentumSphere] {
+            assert!(OBJECTS.iter().any(|object| object.role == role), "nothing is {role:?}");
+        }
+    }
+
+    #[test]
+    fn a_list_to_choose_from_holds_all_and_says_what_is_shown() -> Result<(), SceneError> {
+        let mut file = SceneFile::default();
+        file.view.hide = vec!["tip".to_owned()];
+        file.view.show = vec!["annulus".to_owned()];
+        let items = items(&Scene::check(&file)?.view);
+        assert_eq!(items.len(), OBJECTS.len());
+        for (object, is_shown) in items {
+            let expected = object.name == "annulus" || object.shown && object.name != "tip";
+            assert_eq!(is_shown, expected, "{}", object.name);
+        }
+        Ok(())
+    }
 }

@@ -1,48 +1,64 @@
-//! The words of a view: from where it is seen, and which method is drawn how.
+//! The words of a pane: from where it is seen, and which method is drawn how.
 
-use super::{Context, ghosts};
-use crate::frame::{Dash, Mark, Note, Sample, View};
+use super::{Context, Space, ghosts};
+use crate::frame::{Dash, Mark, Note, Pane, Swatch};
 use crate::scene::Layout;
 
 const CAPTION_SIZE: f32 = 20.0;
 /// Of the rows of the legend, which may be many.
 const LEGEND_SIZE: f32 = 17.0;
+/// Columns that it mostly has, and the height of a row as a part of a pane's.
+const COLUMNS: usize = 2;
+const ROW_HEIGHT: f32 = 0.04;
 
 /// Of the world.
-pub(super) fn world(context: &Context<'_>, view: &mut View) {
-    caption(context, view, "seen from the room: L stays");
-    legend(context, view);
+pub(super) fn world(context: &Context<'_>, pane: &mut Pane) {
+    caption(context, pane, "seen from the room: L stays");
+    legend(context, pane);
 }
 
 /// Of momentum space.
-pub(super) fn body(context: &Context<'_>, view: &mut View) {
-    let axes = context.shows("axes");
-    let unit = if axes { " (I\u{a0}in\u{a0}kg\u{a0}m²)" } else { "" };
-    caption(context, view, &format!("seen from the body: M is L{unit}"));
+pub(super) fn momentum_space(context: &Context<'_>, pane: &mut Pane) {
+    let unit = if context.shows(&super::AXES) { " (I\u{a0}in\u{a0}kg\u{a0}m²)" } else { "" };
+    caption(context, pane, &format!("seen from the body: M is L{unit}"));
     if context.settings.layout == Layout::Body {
-        legend(context, view);
+        legend(context, pane);
     }
 }
 
-fn caption(context: &Context<'_>, view: &mut View, text: &str) {
+/// Height of the legend as a part of a pane's, about: what is drawn stands under it.
+pub(super) fn legend_height(context: &Context<'_>, space: Space) -> f32 {
+    let (notes, holds_it) = match space {
+        Space::World => (&super::WORLD_NOTES, true),
+        Space::Momentum => (&super::MOMENTUM_NOTES, context.settings.layout == Layout::Body),
+    };
+    let ghosts = context.simulation.ghosts().len();
+    if ghosts == 0 || !holds_it || !context.settings.labels || !context.shows(notes) {
+        return 0.0;
+    }
+    let rows = (ghosts + 1).div_ceil(COLUMNS);
+    (ROW_HEIGHT * rows as f32).min(0.25)
+}
+
+fn caption(context: &Context<'_>, pane: &mut Pane, text: &str) {
     let color = context.palette.ink;
-    view.notes.push(Note { text: text.to_owned(), size: CAPTION_SIZE, color, sample: None });
+    pane.notes.push(Note { text: text.to_owned(), size: CAPTION_SIZE, color, swatch: None });
 }
 
 /// A row a method, the scene's own first.
-fn legend(context: &Context<'_>, view: &mut View) {
+fn legend(context: &Context<'_>, pane: &mut Pane) {
     let simulation = context.simulation;
     if simulation.ghosts().is_empty() {
         return;
     }
     let rim = context.palette.background;
-    let own = Sample { dash: Dash::Solid, mark: Mark::Disc, color: context.palette.momentum, rim };
+    let own = Swatch { dash: Dash::Solid, mark: Mark::Disc, color: context.palette.momentum, rim };
     let text = format!("{} (the body)", simulation.main().method().short_label());
-    view.notes.push(Note { text, size: LEGEND_SIZE, color: context.palette.momentum, sample: Some(own) });
+    pane.notes.push(Note { text, size: LEGEND_SIZE, color: context.palette.momentum, swatch: Some(own) });
     for ghost in simulation.ghosts() {
         let method = ghost.method();
         let color = ghosts::method_color(method, context.settings.theme);
-        let sample = Sample { dash: ghosts::dash(method, 140.0), mark: ghosts::mark(method), color, rim };
-        view.notes.push(Note { text: method.short_label().to_owned(), size: LEGEND_SIZE, color, sample: Some(sample) });
+        let swatch = Swatch { dash: ghosts::dash(method, 140.0), mark: ghosts::mark(method), color, rim };
+        pane.notes.push(Note { text: method.short_label().to_owned(), size: LEGEND_SIZE, color, swatch: Some(swatch) });
     }
 }

@@ -2,20 +2,20 @@
 
 use glam::{Vec2, Vec3};
 
-use super::Context;
-use crate::frame::{Dash, Label, Line, View};
+use super::{Context, labels};
+use crate::frame::{Dash, Label, Line, Pane};
 use crate::physics::poinsot;
 
 const POINTS: usize = 97;
 const DASH: f32 = 0.075;
 
-pub(super) fn draw(context: &Context<'_>, view: &mut View) {
+pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     if context.unit_momentum().is_none() {
         return;
     }
     let Some(circles) = poinsot::separatrix(context.simulation.body(), 1.0, POINTS) else { return };
     let color = context.palette.separatrix;
-    let (right, up, forward) = view.camera.axes();
+    let (right, up, forward) = pane.camera.axes();
     let mut labelled: Option<(f32, Vec3)> = None;
     for circle in circles {
         let points: Vec<Vec3> = circle.into_iter().map(|m| context.principal(m)).collect();
@@ -26,19 +26,9 @@ pub(super) fn draw(context: &Context<'_>, view: &mut View) {
                 labelled = Some((fitness, point));
             }
         }
-        view.lines.push(Line::new(points, 2.2, color).dashed(Dash::Dashed(DASH)).through(0.3));
+        pane.lines.push(Line::new(points, 2.2, color).dashed(Dash::Dashed(DASH)).through(0.3));
     }
     if let Some((_, anchor)) = labelled {
-        let text = "separatrix".to_owned();
-        view.labels.push(Label {
-            anchor,
-            toward: Vec2::new(-1.0, -0.6),
-            gap: 8.0,
-            text,
-            size: 19.0,
-            color,
-            priority: 3,
-            moves: false,
-        });
+        pane.labels.push(Label::new(anchor, Vec2::new(-1.0, -0.6), "separatrix", color, labels::BORDER));
     }
 }

@@ -3,34 +3,34 @@
 
 use glam::{DVec3, Mat3, Vec2, Vec3};
 
-use super::Context;
-use crate::frame::{Color, Label, Quadric, QuadricPair, View, single};
+use super::{Context, labels};
+use crate::frame::{Color, Label, Pane, Quadric, single};
 use crate::physics::{Body, poinsot, so3};
 
 /// Directions of the picture among which the labels choose.
 const DIRECTIONS: u32 = 24;
 
 /// |M| = ℓ: the unit sphere of the picture.
-pub(super) fn sphere(context: &Context<'_>, view: &mut View) {
+pub(super) fn sphere(context: &Context<'_>, pane: &mut Pane) {
     if context.unit_momentum().is_none() {
         return;
     }
     let color = context.palette.sphere;
-    add(view, Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, Vec3::ONE, color));
+    pane.add_cutting(Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, Vec3::ONE, color));
     // Its name stands where it is farthest outside the ellipsoid.
     let semi_axes = single(semi_axes(context));
-    label(view, "|M| = |L|", color, |direction| (-support(semi_axes, direction).dot(direction), direction));
+    label(pane, "|M| = |L|", color, |direction| (-support(semi_axes, direction).dot(direction), direction));
 }
 
 /// ½ Σ Mᵢ²/Iᵢ = K: semi-axes √(2K Iᵢ).
-pub(super) fn ellipsoid(context: &Context<'_>, view: &mut View) {
+pub(super) fn ellipsoid(context: &Context<'_>, pane: &mut Pane) {
     if context.unit_momentum().is_none() {
         return;
     }
     let color = context.palette.ellipsoid;
     let semi_axes = single(semi_axes(context));
-    add(view, Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, semi_axes, color));
-    label(view, "energy K", color, |direction| {
+    pane.add_cutting(Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, semi_axes, color));
+    label(pane, "energy K", color, |direction| {
         let point = support(semi_axes, direction);
         (point.dot(direction), point)
     });
@@ -63,22 +63,14 @@ fn energy_reach(body: &Body, momentum: DVec3) -> f32 {
     single(poinsot::energy_semi_axes(body, body.energy(momentum))).max_element()
 }
 
-fn add(view: &mut View, quadric: Quadric) {
-    match view.quadrics.last_mut() {
-        Some(pair) if pair.second.is_none() && !pair.hollow => pair.second = Some(quadric),
-        _ => view.quadrics.push(QuadricPair { first: quadric, second: None, hollow: false }),
-    }
-}
-
 /// Writes a name at the outline, in the direction that is fittest.
-fn label(view: &mut View, text: &str, color: Color, place: impl Fn(Vec3) -> (f32, Vec3)) {
-    let (right, up, _) = view.camera.axes();
+fn label(pane: &mut Pane, text: &str, color: Color, place: impl Fn(Vec3) -> (f32, Vec3)) {
+    let (right, up, _) = pane.camera.axes();
     let best = (0..DIRECTIONS)
         .map(|n| Vec2::from_angle(std::f32::consts::TAU * n as f32 / DIRECTIONS as f32))
         .map(|flat| (flat, place(right * flat.x + up * flat.y)))
         .max_by(|a, b| a.1.0.total_cmp(&b.1.0));
     if let Some((toward, (_, anchor))) = best {
-        let (text, color) = (text.to_owned(), color.alpha(1.0));
-        view.labels.push(Label { anchor, toward, gap: 14.0, text, size: 19.0, color, priority: 2, moves: false });
+        pane.labels.push(Label::new(anchor, toward, text, color.alpha(1.0), labels::SURFACE));
     }
 }

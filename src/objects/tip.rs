@@ -2,30 +2,28 @@
 
 use glam::{Vec2, Vec3};
 
-use super::{Context, arrow};
-use crate::frame::{Label, Line, LinePoint, Mark, Point, View};
+use super::{Context, arrow, labels};
+use crate::frame::{Label, Line, LinePoint, Mark, Marker, Pane};
 use crate::physics::Motion;
 
 /// Points of the tail.
 const TAIL_POINTS: u32 = 40;
 
 /// M as an arrow, its tip as a ball.
-pub(super) fn tip(context: &Context<'_>, view: &mut View) {
+pub(super) fn tip(context: &Context<'_>, pane: &mut Pane) {
     let color = context.palette.momentum;
     let tip = context.body_momentum(context.simulation.state().body_momentum);
     if tip == Vec3::ZERO {
         return;
     }
-    arrow::add(view, Vec3::ZERO, tip * 0.97, color);
+    arrow::add(pane, Vec3::ZERO, tip * 0.97, color);
     let rim = context.palette.background;
-    view.points.push(Point { position: tip, size: 17.0, mark: Mark::Disc, color, rim, hidden: 0.55, moves: true });
-    let text = "M".to_owned();
-    let toward = Vec2::new(0.6, 1.0);
-    view.labels.push(Label { anchor: tip, toward, gap: 14.0, text, size: 26.0, color, priority: 9, moves: true });
+    pane.markers.push(Marker { position: tip, size: 17.0, mark: Mark::Disc, color, rim, hidden: 0.55, moves: true });
+    pane.labels.push(Label::new(tip, Vec2::new(0.6, 1.0), "M", color, labels::TIP));
 }
 
 /// Where M was a moment ago, fading.
-pub(super) fn tail(context: &Context<'_>, view: &mut View) {
+pub(super) fn tail(context: &Context<'_>, pane: &mut Pane) {
     if context.unit_momentum().is_none() {
         return;
     }
@@ -38,5 +36,5 @@ pub(super) fn tail(context: &Context<'_>, view: &mut View) {
         LinePoint { position: context.body_momentum(momentum), color }
     });
     let points: Vec<LinePoint> = points.filter(|point| point.position.is_finite()).collect();
-    view.lines.push(Line { points, ..Line::new([], 9.0, context.palette.momentum).through(0.4) });
+    pane.lines.push(Line { points, ..Line::new([], 9.0, context.palette.momentum).through(0.4) });
 }

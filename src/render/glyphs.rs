@@ -13,6 +13,9 @@ const PADDING: u32 = 1;
 /// Size and drop of an index, in parts of the text's size.
 const INDEX_SIZE: f32 = 0.68;
 const INDEX_DROP: f32 = 0.16;
+/// Those of an exponent, which is read where an index is only recognised: its digits are 11 points high beside a label's of 19.
+const EXPONENT_SIZE: f32 = 0.82;
+const EXPONENT_RISE: f32 = -0.25;
 
 /// A glyph drawn at one size: where it is in the atlas and beside the pen.
 #[derive(Clone, Copy)]
@@ -79,8 +82,8 @@ impl Glyphs {
         }
     }
 
-    /// Lays a text out on one line, `size` pixels an em. Index digits
-    /// (₁) are digits set smaller and lower, whether the font has them or not.
+    /// Lays a text out on one line, `size` pixels an em. Indices (₁) and exponents (⁵) are digits set smaller and lower or higher,
+    /// whether the font has them or not.
     pub(super) fn lay_out(&mut self, text: &str, size: f32) -> TextLine {
         let size = size.min(LARGEST) * self.fonts.first().and_then(height_per_em).unwrap_or(1.0);
         let Some(first) = self.fonts.first() else { return TextLine { glyphs: vec![], extent: [0.0; 2] } };
@@ -88,15 +91,17 @@ impl Glyphs {
         let (ascent, height) = (scaled.ascent(), scaled.height());
         let mut pen = 0.0;
         let mut before = None;
+        let mut after_letter = false;
         let mut glyphs = vec![];
         for character in text.chars() {
-            let (character, size, drop) = match character {
-                '₀'..='₉' => {
-                    let digit = char::from_digit(character as u32 - '₀' as u32, 10).unwrap_or(character);
-                    (digit, size * INDEX_SIZE, size * INDEX_DROP)
-                }
-                _ => (character, size, 0.0),
+            let (character, part, drop) = match character {
+                // Of a unit (m²), which is known at a glance: as the font has it.
+                '²' | '³' if after_letter => (character, 1.0, 0.0),
+                _ => set_apart(character),
             };
+            after_letter = character.is_alphabetic();
+            let drop = size * drop;
+            let size = size * part;
             let Some(number) =
                 self.fonts.iter().position(|font| font.glyph_id(character).0 != 0).or(Some(0)).filter(|_| size > 0.5)
             else {
@@ -166,7 +171,34 @@ impl Glyphs {
     }
 }
 
+/// What stands for a character, its size and its drop in parts of the text's size.
+fn set_apart(character: char) -> (char, f32, f32) {
+    const EXPONENTS: [char; 11] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹', '⁻'];
+    const DIGITS: [char; 11] = ['0', '1', '2', '3', '4', '5', '6', '7', '8', '9', '−'];
+    if let '₀'..='₉' = character {
+        return (DIGITS[character as usize - '₀' as usize], INDEX_SIZE, INDEX_DROP);
+    }
+    let exponent = EXPONENTS.iter().position(|high| *high == character);
+    exponent.map_or((character, 1.0, 0.0), |place| (DIGITS[place], EXPONENT_SIZE, EXPONENT_RISE))
+}
+
 /// What the rasteriser counts as a font's height, in ems.
 fn height_per_em(font: &FontRef<'_>) -> Option<f32> {
     font.units_per_em().map(|units| font.height_unscaled() / units)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Glyphs;
+
+    #[test]
+    fn exponents_are_read_from_a_distance() {
+        let mut glyphs = Glyphs::new();
+        // As the moments are written beside the axes, in a picture 720 pixels high.
+        let line = glyphs.lay_out("2·10⁻⁵", 19.0);
+        let [base, exponent] = [&line.glyphs[0], &line.glyphs[5]].map(|glyph| (glyph.low[1], glyph.extent[1]));
+        assert!(exponent.1 >= 11, "{exponent:?}");
+        // Higher than the base's, and within the line.
+        assert!(exponent.0 < base.0 && exponent.0 >= 0.0, "{exponent:?} {base:?}");
+    }
 }

@@ -1,16 +1,23 @@
-//! Where the labels of a view go: beside what they name and inside the view. Those that stand still keep clear of each
-//! other. Those that move stay where they want to be, since a label that jumps aside draws the eye; what they pass gives
+//! Where the labels of a pane go: beside what they name and inside the pane. Those that stand still keep clear of each
+//! other, and off the way of what moves as far as it is known. Those that move stay where they want to be, since a label that jumps aside draws the eye; what they pass gives
 //! way to them, or they to it, by fading.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
-use super::view::ViewUniform;
-use crate::frame::{Label, View};
+use super::pane::PaneUniform;
+use crate::frame::{Label, Pane};
 
-/// Free space between labels and at the rim of the view (points).
+/// Free space between labels and at the rim of the pane (points).
 const CLEARANCE: f32 = 5.0;
 /// How much a label gives to stay near its wanted direction, against covering a mark.
 const MARK_COST: f32 = 1.5;
+/// And against standing where something passes at times, and as much again for the part of the way for which it would.
+const PASSED_COST: [f32; 2] = [3.0, 6.0];
+/// And against naming what it names at another place than the wanted one.
+const ELSEWHERE_COST: f32 = 1.0;
+/// Places along a way at which what passes is looked at, and how near to the way (in the pane's world) what follows it is.
+const PLACES: usize = 96;
+const FOLLOWS_WITHIN: f32 = 0.06;
 
 /// Distance (points) at which a label begins to fade before a more important one; where they meet it is gone.
 const FADES_WITHIN: f32 = 12.0;
@@ -18,13 +25,13 @@ const FADES_WITHIN: f32 = 12.0;
 /// Where a label stands.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
-    /// Its top left corner, in pixels of the view.
+    /// Its top left corner, in pixels of the pane.
     pub(super) low: Vec2,
     /// Factor on its opacity.
     pub(super) opacity: f32,
 }
 
-/// A rectangle in pixels of the view, y down.
+/// A rectangle in pixels of the pane, y down.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Box2 {
     pub(super) low: Vec2,
@@ -36,7 +43,7 @@ impl Box2 {
         Self { low: centre - half, high: centre + half }
     }
 
-    fn meets(&self, other: &Self) -> bool {
+    pub(super) fn meets(&self, other: &Self) -> bool {
         self.low.cmplt(other.high).all() && other.low.cmplt(self.high).all()
     }
 
@@ -46,23 +53,24 @@ impl Box2 {
     }
 }
 
-/// Places the labels, given each one's width and height in pixels and what else stands in the view; none for a label
+/// Places the labels, given each one's width and height in pixels and what else stands in the pane; none for a label
 /// that is out of sight or finds no room.
 pub(super) fn place(
-    view: &View,
-    uniform: &ViewUniform,
+    pane: &Pane,
+    uniform: &PaneUniform,
     extents: &[Vec2],
     notes: &[Box2],
     pixels: Vec2,
     point: f32,
 ) -> Vec<Option<Place>> {
-    let project = |position: glam::Vec3| {
+    let project = |position: Vec3| {
         let ndc = uniform.ndc(position).filter(|ndc| ndc.abs().max_element() <= 1.0)?;
         Some((ndc * Vec2::new(0.5, -0.5) + 0.5) * pixels)
     };
-    let marks = view.points.iter().filter(|mark| !mark.moves).map(|mark| (mark.position, 0.5 * mark.size));
+    let passing = passing(pane, extents, point, project);
+    let marks = pane.markers.iter().filter(|mark| !mark.moves).map(|mark| (mark.position, 0.5 * mark.size));
     // Straight strokes, as axes are, count by some places along them.
-    let strokes = view.lines.iter().filter(|line| line.points.len() == 2).flat_map(|line| {
+    let strokes = pane.lines.iter().filter(|line| line.points.len() == 2).flat_map(|line| {
         let [from, to] = [line.points[0].position, line.points[1].position];
         [0.1, 0.35, 0.6, 0.85].map(|part| (from.lerp(to, part), line.width))
     });
@@ -70,24 +78,31 @@ pub(super) fn place(
         .chain(strokes)
         .filter_map(|(position, half)| Some(Box2::around(project(position)?, Vec2::splat(half * point))))
         .collect();
-    let mut order: Vec<usize> = (0..view.labels.len().min(extents.len())).collect();
-    order.sort_by_key(|&number| (view.labels[number].moves, std::cmp::Reverse(view.labels[number].priority)));
+    let mut order: Vec<usize> = (0..pane.labels.len().min(extents.len())).collect();
+    order.sort_by_key(|&number| {
+        (pane.labels[number].style.moves, std::cmp::Reverse(pane.labels[number].style.priority))
+    });
     let mut taken: Vec<Box2> = notes.to_vec();
-    let mut places: Vec<Option<Box2>> = vec![None; view.labels.len()];
+    let mut places: Vec<Option<Box2>> = vec![None; pane.labels.len()];
     for number in order {
-        let label = &view.labels[number];
+        let label = &pane.labels[number];
         let Some(anchor) = project(label.anchor) else { continue };
         let half = 0.5 * extents[number];
         let kept_inside = |centre: Vec2| {
             let rim = half + CLEARANCE * point;
             centre.clamp(rim.min(0.5 * pixels), (pixels - rim).max(0.5 * pixels))
         };
-        if label.moves {
-            let wanted = candidates(label, anchor, half, point).next();
+        if label.style.moves {
+            let wanted = candidates(label, (anchor, label.toward), half, point).next();
             places[number] = wanted.map(|(centre, _)| Box2::around(kept_inside(centre), half));
             continue;
         }
-        let best = candidates(label, anchor, half, point)
+        let others = label.others.iter().filter_map(|&(at, toward)| Some((project(at)?, toward, ELSEWHERE_COST)));
+        let best = std::iter::once((anchor, label.toward, 0.0))
+            .chain(others)
+            .flat_map(|(at, toward, extra)| {
+                candidates(label, (at, toward), half, point).map(move |(centre, cost)| (centre, cost + extra))
+            })
             .filter_map(|(centre, cost)| {
                 let inside = kept_inside(centre);
                 let own = Box2::around(inside, half + 0.5 * CLEARANCE * point);
@@ -95,8 +110,11 @@ pub(super) fn place(
                     return None;
                 }
                 let covered = marks.iter().filter(|mark| own.meets(mark)).count() as f32;
+                let passed = passing.iter().filter(|boxes| boxes.iter().any(|other| own.meets(other))).count() as f32;
+                let passed =
+                    if passed > 0.0 { PASSED_COST[0] + PASSED_COST[1] * passed / passing.len() as f32 } else { 0.0 };
                 let pushed = inside.distance(centre) / (20.0 * point);
-                Some((inside, cost + pushed + MARK_COST * covered))
+                Some((inside, cost + pushed + passed + MARK_COST * covered))
             })
             .min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((centre, _)) = best {
@@ -105,16 +123,16 @@ pub(super) fn place(
         }
     }
     let opacity = |number: usize, own: &Box2| {
-        let label = &view.labels[number];
-        let rank = |number: usize| (view.labels[number].priority, std::cmp::Reverse(number));
+        let label = &pane.labels[number];
+        let rank = |number: usize| (pane.labels[number].style.priority, std::cmp::Reverse(number));
         let others = places.iter().enumerate().filter_map(|(other, place)| Some((other, (*place)?)));
-        let others =
-            others.filter(|(other, _)| (view.labels[*other].moves || label.moves) && rank(*other) > rank(number));
+        let others = others
+            .filter(|(other, _)| (pane.labels[*other].style.moves || label.style.moves) && rank(*other) > rank(number));
         // A label that stands still gives way to moving marks as well, one that moves to what is written in the corner.
-        let marks = view.points.iter().filter(|mark| mark.moves && !label.moves);
+        let marks = pane.markers.iter().filter(|mark| mark.moves && !label.style.moves);
         let marks =
             marks.filter_map(|mark| Some(Box2::around(project(mark.position)?, Vec2::splat(0.5 * mark.size * point))));
-        let notes = notes.iter().filter(|_| label.moves).copied();
+        let notes = notes.iter().filter(|_| label.style.moves).copied();
         let gaps = others.map(|(_, place)| place).chain(marks).chain(notes).map(|other| own.gap(&other));
         gaps.fold(1.0, |least: f32, gap| least.min(gap / (FADES_WITHIN * point)))
     };
@@ -124,13 +142,42 @@ pub(super) fn place(
     places.iter().enumerate().map(stand).collect()
 }
 
+/// At each of some places along the lines that are followed: what then stands in the way of labels that stand still, with
+/// the distance within which they fade before it.
+fn passing(pane: &Pane, extents: &[Vec2], point: f32, project: impl Fn(Vec3) -> Option<Vec2>) -> Vec<Vec<Box2>> {
+    let mut passing = vec![];
+    for line in pane.lines.iter().filter(|line| line.is_followed) {
+        let follows = |at: Vec3| line.points.iter().any(|on| on.position.distance(at) < FOLLOWS_WITHIN);
+        let markers = pane.markers.iter().filter(|marker| marker.moves && follows(marker.position));
+        let markers: Vec<Vec2> = markers.map(|marker| Vec2::splat(0.5 * marker.size * point)).collect();
+        let labels = pane.labels.iter().zip(extents).filter(|(label, _)| label.style.moves && follows(label.anchor));
+        let labels: Vec<(&Label, Vec2)> = labels.map(|(label, extent)| (label, 0.5 * *extent)).collect();
+        let rim = Vec2::splat(FADES_WITHIN * point);
+        let every = line.points.len().div_ceil(PLACES).max(1);
+        for at in line.points.iter().step_by(every).filter_map(|on| project(on.position)) {
+            let beside = |(label, half): &(&Label, Vec2)| {
+                let wanted = candidates(label, (at, label.toward), *half, point).next();
+                wanted.map(|(centre, _)| Box2::around(centre, *half + rim))
+            };
+            let on_it = markers.iter().map(|half| Box2::around(at, *half + rim));
+            passing.push(on_it.chain(labels.iter().filter_map(beside)).collect());
+        }
+    }
+    passing
+}
+
 /// Centres to try, each with what it costs: turned away from the wanted direction, and farther out.
-fn candidates(label: &Label, anchor: Vec2, half: Vec2, point: f32) -> impl Iterator<Item = (Vec2, f32)> {
+fn candidates(
+    label: &Label,
+    (anchor, toward): (Vec2, Vec2),
+    half: Vec2,
+    point: f32,
+) -> impl Iterator<Item = (Vec2, f32)> {
     const TURNS: [f32; 11] = [0.0, 25.0, -25.0, 50.0, -50.0, 80.0, -80.0, 115.0, -115.0, 150.0, 180.0];
-    let wanted = Vec2::new(label.toward.x, -label.toward.y).normalize_or(Vec2::X);
-    let gap = label.gap * point;
+    let wanted = Vec2::new(toward.x, -toward.y).normalize_or(Vec2::X);
+    let gap = label.style.gap * point;
     TURNS.into_iter().flat_map(move |turn| {
-        [1.0, 2.2].map(|reach| {
+        [1.0, 2.2, 4.0].map(|reach| {
             let direction = Vec2::from_angle(turn.to_radians()).rotate(wanted);
             // Far enough out that the whole box lies beyond the gap, seen in that direction.
             let clear = half.dot(direction.abs());
@@ -144,21 +191,22 @@ fn candidates(label: &Label, anchor: Vec2, half: Vec2, point: f32) -> impl Itera
 mod tests {
     use super::place;
     use crate::camera::Camera;
-    use crate::frame::{Area, Color, Label, View};
-    use crate::render::view::ViewUniform;
+    use crate::frame::{Area, Color, Label, LabelStyle, Line, Mark, Marker, Pane};
+    use crate::render::pane::PaneUniform;
     use glam::{Vec2, Vec3};
 
     fn label(anchor: Vec3, priority: i32, moves: bool) -> Label {
         let color = Color::hex(0);
-        Label { anchor, toward: Vec2::X, gap: 5.0, text: String::new(), size: 20.0, color, priority, moves }
+        let style = LabelStyle { size: 20.0, gap: 5.0, priority, moves };
+        Label::new(anchor, Vec2::X, "", color, style)
     }
 
     fn opacities(labels: Vec<Label>) -> Vec<f32> {
-        let mut view = View::new(Area::WHOLE, Camera::new(0.3, 0.2, 5.0));
+        let mut pane = Pane::new(Area::WHOLE, Camera::new(0.3, 0.2, 5.0), 0.0);
         let extents = vec![Vec2::new(60.0, 20.0); labels.len()];
-        view.labels = labels;
+        pane.labels = labels;
         let pixels = Vec2::new(640.0, 480.0);
-        let places = place(&view, &ViewUniform::new(&view, pixels, 1.0), &extents, &[], pixels, 1.0);
+        let places = place(&pane, &PaneUniform::new(&pane, pixels, 1.0), &extents, &[], pixels, 1.0);
         places.into_iter().map(|place| place.map_or(-1.0, |place| place.opacity)).collect()
     }
 
@@ -171,5 +219,27 @@ mod tests {
         assert_eq!(opacities(vec![label(Vec3::ZERO, 2, false), label(Vec3::ZERO, 1, true)]), [1.0, 0.0]);
         assert_eq!(opacities(vec![label(Vec3::ZERO, 1, true), label(Vec3::ZERO, 1, true)]), [1.0, 0.0]);
         assert_eq!(opacities(vec![label(Vec3::ZERO, 1, false), label(Vec3::Z * 0.8, 2, true)]), [1.0, 1.0]);
+    }
+
+    #[test]
+    fn a_name_keeps_off_the_way_of_what_will_pass_it() {
+        let camera = Camera::new(0.0, 0.0, 5.0);
+        let (pixels, extents) = (Vec2::new(640.0, 480.0), [Vec2::new(60.0, 20.0)]);
+        let low = |is_followed| {
+            let mut pane = Pane::new(Area::WHOLE, camera, 0.0);
+            pane.labels = vec![label(Vec3::ZERO, 1, false)];
+            // From the anchor to the right, where the name would like to stand; what moves is at its far end now.
+            let way = (0..=50).map(|n| Vec3::new(0.0, 0.02 * n as f32, 0.0));
+            pane.lines.push(Line { is_followed, ..Line::new(way, 2.0, Color::hex(0)) });
+            let (position, color) = (Vec3::Y, Color::hex(0));
+            let (mark, rim) = (Mark::Disc, color);
+            pane.markers.push(Marker { position, size: 16.0, mark, color, rim, hidden: 0.0, moves: true });
+            let places = place(&pane, &PaneUniform::new(&pane, pixels, 1.0), &extents, &[], pixels, 1.0);
+            places[0].map_or(Vec2::ZERO, |place| place.low)
+        };
+        // Beside the anchor, in the middle of the picture; else clear of the whole way.
+        assert_eq!(low(false), Vec2::new(325.0, 230.0));
+        let clear = low(true);
+        assert!(clear.y + 20.0 < 240.0 - 8.0 || clear.y > 240.0 + 8.0 || clear.x + 60.0 < 320.0 - 8.0, "{clear}");
     }
 }

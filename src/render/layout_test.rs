@@ -5,16 +5,16 @@ use std::mem::offset_of;
 use wgpu::naga;
 
 use super::line::SegmentData;
-use super::point::MarkData;
+use super::marker::MarkData;
+use super::mesh::VertexData;
+use super::pane::PaneUniform;
 use super::quadrics::{PairUniform, QuadricData};
-use super::solid::VertexData;
 use super::text::GlyphData;
-use super::view::ViewUniform;
 
-const VIEW: &str = include_str!("../../shaders/view.wgsl");
+const PANE: &str = include_str!("../../shaders/pane.wgsl");
 
 fn module(source: &str) -> naga::Module {
-    naga::front::wgsl::parse_str(&[VIEW, source].concat()).unwrap_or_default()
+    naga::front::wgsl::parse_str(&[PANE, source].concat()).unwrap_or_default()
 }
 
 /// Names and offsets of a struct of the shader, and its size.
@@ -45,8 +45,8 @@ fn uniforms_match_the_shaders() {
     let quadrics = module(include_str!("../../shaders/quadrics.wgsl"));
     same_layout!(
         &quadrics,
-        "View",
-        ViewUniform,
+        "Pane",
+        PaneUniform,
         clip_from_world,
         ray_right,
         ray_up,
@@ -60,33 +60,42 @@ fn uniforms_match_the_shaders() {
     same_layout!(&quadrics, "Pair", PairUniform, first, second, choice);
 }
 
-/// The number of floats that a shader reads a corner: its located inputs, in order and without a gap.
-fn floats_read(source: &str) -> usize {
+/// Names and places (bytes) of what a shader reads a corner: its located inputs, in order and without a gap; and their end.
+fn inputs(source: &str) -> (Vec<(String, usize)>, usize) {
     let module = module(source);
-    let Some(entry) = module.entry_points.iter().find(|entry| entry.stage == naga::ShaderStage::Vertex) else {
-        return 0;
-    };
-    let mut read = 0;
-    for argument in &entry.function.arguments {
-        let types = match &module.types[argument.ty].inner {
-            naga::TypeInner::Struct { members, .. } => members.iter().map(|member| member.ty).collect(),
-            _ if matches!(argument.binding, Some(naga::Binding::Location { .. })) => vec![argument.ty],
-            _ => vec![],
-        };
-        for ty in types {
-            read += match module.types[ty].inner {
-                naga::TypeInner::Vector { size, .. } => size as usize,
-                _ => 1,
-            };
+    let entry = module.entry_points.iter().find(|entry| entry.stage == naga::ShaderStage::Vertex);
+    let arguments = entry.map(|entry| &*entry.function.arguments).unwrap_or_default();
+    let mut located = vec![];
+    for argument in arguments {
+        match (&module.types[argument.ty].inner, &argument.binding) {
+            (naga::TypeInner::Struct { members, .. }, _) => {
+                located.extend(members.iter().map(|member| (&member.name, &member.binding, member.ty)));
+            }
+            (_, binding) => located.push((&argument.name, binding, argument.ty)),
         }
     }
-    read
+    let (mut fields, mut end) = (vec![], 0);
+    for (name, binding, ty) in located {
+        let Some(naga::Binding::Location { location, .. }) = binding else { continue };
+        assert_eq!(*location as usize, fields.len(), "{name:?} is out of order");
+        fields.push((name.clone().unwrap_or_default(), end));
+        end += module.types[ty].inner.size(module.to_ctx()) as usize;
+    }
+    (fields, end)
+}
+
+macro_rules! same_inputs {
+    ($source:expr, $type:ty, $($field:ident),+) => {
+        let expected = vec![$((stringify!($field).to_owned(), offset_of!($type, $field))),+];
+        assert_eq!(inputs($source), (expected, size_of::<$type>()), stringify!($type));
+    };
 }
 
 #[test]
 fn vertices_hold_what_the_shaders_read() {
-    assert_eq!(floats_read(include_str!("../../shaders/solid.wgsl")) * 4, size_of::<VertexData>());
-    assert_eq!(floats_read(include_str!("../../shaders/line.wgsl")) * 4, size_of::<SegmentData>());
-    assert_eq!(floats_read(&super::point::source()) * 4, size_of::<MarkData>());
-    assert_eq!(floats_read(include_str!("../../shaders/text.wgsl")) * 4, size_of::<GlyphData>());
+    same_inputs!(include_str!("../../shaders/mesh.wgsl"), VertexData, position, normal, color);
+    let line = include_str!("../../shaders/line.wgsl");
+    same_inputs!(line, SegmentData, before, start, end, after, style, along, start_color, end_color);
+    same_inputs!(&super::marker::source(), MarkData, position, style, color, rim);
+    same_inputs!(include_str!("../../shaders/text.wgsl"), GlyphData, place, source, color);
 }

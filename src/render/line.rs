@@ -6,19 +6,20 @@ use bytemuck::{Pod, Zeroable};
 
 use super::buffer::QuadBuffer;
 use super::pipeline::PipelineMaker;
-use crate::frame::{Dash, Frame, Line};
+use crate::frame::{Dash, Line};
 
 /// `Segment` of shaders/line.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 pub(super) struct SegmentData {
-    before: [f32; 3],
-    start: [f32; 3],
-    end: [f32; 3],
-    after: [f32; 3],
-    style: [f32; 4],
-    along: [f32; 3],
-    colors: [[f32; 4]; 2],
+    pub(super) before: [f32; 3],
+    pub(super) start: [f32; 3],
+    pub(super) end: [f32; 3],
+    pub(super) after: [f32; 3],
+    pub(super) style: [f32; 4],
+    pub(super) along: [f32; 3],
+    pub(super) start_color: [f32; 4],
+    pub(super) end_color: [f32; 4],
 }
 
 /// Draws the lines of a frame; where they are hidden, at their own fainter strength.
@@ -28,7 +29,7 @@ pub(super) struct Lines {
     /// At the strength of hidden ones, but hidden wholly by opaque bodies.
     inside: wgpu::RenderPipeline,
     segments: QuadBuffer,
-    views: Vec<Range<u32>>,
+    layers: Vec<Range<u32>>,
 }
 
 impl Lines {
@@ -44,41 +45,47 @@ impl Lines {
             hidden: pipeline("hidden lines", "vertex_hidden", wgpu::CompareFunction::Less),
             inside: pipeline("lines inside", "vertex_hidden", wgpu::CompareFunction::GreaterEqual),
             segments: QuadBuffer::new("line segments"),
-            views: vec![],
+            layers: vec![],
         }
     }
 
-    pub(super) fn upload(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, frame: &Frame) {
+    /// Those of each layer, of a pane's world or of what lies on the screen before it, with their lift.
+    pub(super) fn upload<'a>(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        layers: impl Iterator<Item = (&'a [Line], f32)>,
+    ) {
         let mut segments = vec![];
-        self.views.clear();
-        for view in &frame.views {
+        self.layers.clear();
+        for (lines, lift) in layers {
             let start = segments.len() as u32;
-            for line in &view.lines {
-                append(line, &mut segments);
+            for line in lines {
+                append(line, lift, &mut segments);
             }
-            self.views.push(start..segments.len() as u32);
+            self.layers.push(start..segments.len() as u32);
         }
         self.segments.write(device, queue, &segments);
     }
 
     /// Between the far and the near walls of hollow surfaces with a body in them: what of the lines shows through the
     /// near walls, and not through the body.
-    pub(super) fn draw_inside(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        self.draw_with(pass, view, &[&self.inside]);
+    pub(super) fn draw_inside(&self, pass: &mut wgpu::RenderPass<'_>, layer: usize) {
+        self.draw_with(pass, layer, &[&self.inside]);
     }
 
     /// Where they are seen.
-    pub(super) fn draw_seen(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        self.draw_with(pass, view, &[&self.seen]);
+    pub(super) fn draw_seen(&self, pass: &mut wgpu::RenderPass<'_>, layer: usize) {
+        self.draw_with(pass, layer, &[&self.seen]);
     }
 
     /// Where they are hidden, whatever hides them, and then where they are seen.
-    pub(super) fn draw_all(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        self.draw_with(pass, view, &[&self.hidden, &self.seen]);
+    pub(super) fn draw_all(&self, pass: &mut wgpu::RenderPass<'_>, layer: usize) {
+        self.draw_with(pass, layer, &[&self.hidden, &self.seen]);
     }
 
-    fn draw_with(&self, pass: &mut wgpu::RenderPass<'_>, view: usize, pipelines: &[&wgpu::RenderPipeline]) {
-        let Some(range) = self.views.get(view).filter(|range| !range.is_empty()) else { return };
+    fn draw_with(&self, pass: &mut wgpu::RenderPass<'_>, layer: usize, pipelines: &[&wgpu::RenderPipeline]) {
+        let Some(range) = self.layers.get(layer).filter(|range| !range.is_empty()) else { return };
         if !self.segments.bind(pass) {
             return;
         }
@@ -89,7 +96,7 @@ impl Lines {
     }
 }
 
-fn append(line: &Line, segments: &mut Vec<SegmentData>) {
+fn append(line: &Line, lift: f32, segments: &mut Vec<SegmentData>) {
     let points = &line.points;
     let last = points.len().saturating_sub(1);
     let closed = points.len() > 2 && points[0].position == points[last].position;
@@ -111,8 +118,9 @@ fn append(line: &Line, segments: &mut Vec<SegmentData>) {
             end: end.position.to_array(),
             after: after.position.to_array(),
             style: [line.width, line.hidden, period, kind],
-            along: [along, next, line.lift],
-            colors: [start.color.0, end.color.0],
+            along: [along, next, lift],
+            start_color: start.color.0,
+            end_color: end.color.0,
         });
         along = next;
     }

@@ -1,30 +1,32 @@
-//! How a [`Frame`](crate::frame::Frame) is drawn: wgpu, one file a primitive, the same for window and file.
+//! How a [`Frame`](crate::frame::Frame) is drawn: wgpu, one file a primitive, the same for window, page and file.
 
 mod attempts;
 mod buffer;
+mod compose;
 mod glyphs;
 mod gpu;
 mod labels;
 #[cfg(test)]
 mod layout_test;
 mod line;
+mod marker;
+mod mesh;
 mod notes;
+mod painter;
+mod pane;
 mod pipeline;
 pub mod png;
-mod point;
 mod quadrics;
 mod readback;
 mod renderer;
 mod resolve;
-mod solid;
 mod targets;
 mod text;
 mod touched;
 mod transfer;
-mod view;
 
 pub use gpu::{AdapterDescription, Gpu, GpuError, adapters, no_adapter};
+pub use painter::Painter;
 pub use readback::{Canvas, Pixels, Reading};
-pub use renderer::{Renderer, point_size};
+pub use renderer::point_size;
 pub use targets::FORMAT;
-pub use transfer::Transfer;

@@ -3,12 +3,12 @@
 use super::targets::{DEPTH_FORMAT, FORMAT, SAMPLES};
 
 /// What all shaders begin with.
-const VIEW_SOURCE: &str = include_str!("../../shaders/view.wgsl");
+const PANE_SOURCE: &str = include_str!("../../shaders/pane.wgsl");
 
 /// Makes shader modules and pipelines of one device.
 pub(super) struct PipelineMaker<'a> {
     pub(super) device: &'a wgpu::Device,
-    pub(super) view_layout: &'a wgpu::BindGroupLayout,
+    pub(super) pane_layout: &'a wgpu::BindGroupLayout,
 }
 
 /// What one pipeline differs in from another.
@@ -17,7 +17,7 @@ pub(super) struct Recipe<'a> {
     pub(super) module: &'a wgpu::ShaderModule,
     pub(super) vertex: &'static str,
     pub(super) buffer: Option<wgpu::VertexBufferLayout<'a>>,
-    /// The layout of bind group 1, after the view's.
+    /// The layout of bind group 1, after the pane's.
     pub(super) group: Option<&'a wgpu::BindGroupLayout>,
     pub(super) cull: Option<wgpu::Face>,
     /// Which depths are drawn, seen from the buffer's; nearer is greater.
@@ -46,12 +46,12 @@ impl PipelineMaker<'_> {
     pub(super) fn module(&self, label: &'static str, source: &str) -> wgpu::ShaderModule {
         self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(label),
-            source: wgpu::ShaderSource::Wgsl([VIEW_SOURCE, source].concat().into()),
+            source: wgpu::ShaderSource::Wgsl([PANE_SOURCE, source].concat().into()),
         })
     }
 
     pub(super) fn pipeline(&self, recipe: &Recipe<'_>) -> wgpu::RenderPipeline {
-        let groups: Vec<_> = [Some(self.view_layout), recipe.group].into_iter().take_while(Option::is_some).collect();
+        let groups: Vec<_> = [Some(self.pane_layout), recipe.group].into_iter().take_while(Option::is_some).collect();
         let layout = self.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(recipe.label),
             bind_group_layouts: &groups,

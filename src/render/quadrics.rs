@@ -6,8 +6,8 @@ use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 
 use super::buffer::{FrameBuffer, UniformBuffer};
+use super::pane::PaneUniform;
 use super::pipeline::{PipelineMaker, Recipe};
-use super::view::ViewUniform;
 use crate::frame::{Frame, Quadric, QuadricPair};
 
 /// `Pair` of shaders/quadrics.wgsl.
@@ -34,7 +34,7 @@ pub(super) struct Quadrics {
     far_walls: wgpu::RenderPipeline,
     uniforms: UniformBuffer,
     corners: FrameBuffer,
-    views: Vec<Vec<Draw>>,
+    panes: Vec<Vec<Draw>>,
 }
 
 /// One drawing of a pair.
@@ -71,7 +71,7 @@ impl Quadrics {
             far_walls: pipeline("far walls of quadrics", false),
             uniforms,
             corners: FrameBuffer::new("quadric corners", wgpu::BufferUsages::VERTEX),
-            views: vec![],
+            panes: vec![],
         }
     }
 
@@ -80,13 +80,13 @@ impl Quadrics {
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         frame: &Frame,
-        view_uniforms: &[ViewUniform],
+        pane_uniforms: &[PaneUniform],
     ) {
         let (mut pairs, mut corners) = (vec![], vec![]);
-        self.views.clear();
-        for (view, uniform) in frame.views.iter().zip(view_uniforms) {
+        self.panes.clear();
+        for (pane, uniform) in frame.panes.iter().zip(pane_uniforms) {
             let mut draws = vec![];
-            for pair in &view.quadrics {
+            for pair in &pane.quadrics {
                 let start = corners.len() as u32;
                 corners.extend(covering_triangles(pair, uniform.clip_from_world));
                 let corners = start..corners.len() as u32;
@@ -96,7 +96,7 @@ impl Quadrics {
                     pairs.push(pair_uniform(pair, [near, far]));
                 }
             }
-            self.views.push(draws);
+            self.panes.push(draws);
         }
         if !pairs.is_empty() {
             self.uniforms.write(device, queue, &pairs);
@@ -105,17 +105,17 @@ impl Quadrics {
     }
 
     /// Draws the far walls of the hollow ones; false where there are none.
-    pub(super) fn draw_far_walls(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) -> bool {
-        self.draw(pass, view, true)
+    pub(super) fn draw_far_walls(&self, pass: &mut wgpu::RenderPass<'_>, pane: usize) -> bool {
+        self.draw(pass, pane, true)
     }
 
     /// Draws all the rest.
-    pub(super) fn draw_near_walls(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        self.draw(pass, view, false);
+    pub(super) fn draw_near_walls(&self, pass: &mut wgpu::RenderPass<'_>, pane: usize) {
+        self.draw(pass, pane, false);
     }
 
-    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize, far_only: bool) -> bool {
-        let (Some(corners), Some(draws)) = (self.corners.get(), self.views.get(view)) else { return false };
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pane: usize, far_only: bool) -> bool {
+        let (Some(corners), Some(draws)) = (self.corners.get(), self.panes.get(pane)) else { return false };
         let mut any = false;
         for draw in draws.iter().filter(|draw| draw.far_only == far_only) {
             any = true;

@@ -5,16 +5,16 @@ use glam::Vec2;
 use super::buffer::UniformBuffer;
 use super::gpu::Gpu;
 use super::line::Lines;
+use super::marker::Markers;
+use super::mesh::Meshes;
 use super::notes;
+use super::pane::PaneUniform;
 use super::pipeline::PipelineMaker;
-use super::point::Points;
 use super::quadrics::Quadrics;
 use super::resolve::Resolve;
-use super::solid::Solids;
 use super::targets::Targets;
 use super::text::Texts;
 use super::touched::Touched;
-use super::view::ViewUniform;
 use crate::frame::Frame;
 
 /// Pixels a point in a picture of this size, so that it looks the same at each size of one aspect: 1 at 1280×720 and
@@ -25,12 +25,12 @@ pub fn point_size([width, height]: [u32; 2]) -> f32 {
 }
 
 /// The pipelines and the reused buffers. One serves window and file alike.
-pub struct Renderer {
-    views: UniformBuffer,
-    solids: Solids,
+pub(super) struct Renderer {
+    panes: UniformBuffer,
+    meshes: Meshes,
     quadrics: Quadrics,
     lines: Lines,
-    points: Points,
+    markers: Markers,
     texts: Texts,
     /// Where the device's own way is not taken.
     resolve: Option<Resolve>,
@@ -40,37 +40,43 @@ pub struct Renderer {
 impl Renderer {
     /// Makes the pipelines.
     #[must_use]
-    pub fn new(gpu: &Gpu) -> Self {
-        let views = UniformBuffer::new(&gpu.device, "view", size_of::<ViewUniform>());
-        let maker = PipelineMaker { device: &gpu.device, view_layout: views.layout() };
-        let solids = Solids::new(&maker);
+    pub(super) fn new(gpu: &Gpu) -> Self {
+        let panes = UniformBuffer::new(&gpu.device, "pane", size_of::<PaneUniform>());
+        let maker = PipelineMaker { device: &gpu.device, pane_layout: panes.layout() };
+        let meshes = Meshes::new(&maker);
         let quadrics = Quadrics::new(&maker);
         let lines = Lines::new(&maker);
-        let points = Points::new(&maker);
+        let markers = Markers::new(&maker);
         let texts = Texts::new(&maker);
         let resolve = gpu.is_software_vulkan().then(|| Resolve::new(&gpu.device));
-        Self { views, solids, quadrics, lines, points, texts, resolve, targets: None }
+        Self { panes, meshes, quadrics, lines, markers, texts, resolve, targets: None }
     }
 
     /// Draws the frame into `target`, a view of a [`FORMAT`](super::FORMAT) texture of this size, with `point` pixels a point
     /// (for a file [`point_size`]). Submits the work and does not wait for it.
-    pub fn render(&mut self, gpu: &Gpu, frame: &Frame, target: &wgpu::TextureView, size: [u32; 2], point: f32) {
+    pub(super) fn render(&mut self, gpu: &Gpu, frame: &Frame, target: &wgpu::TextureView, size: [u32; 2], point: f32) {
         let (device, queue) = (&gpu.device, &gpu.queue);
         let point = point * frame.font_scale;
         let picture = Vec2::new(size[0] as f32, size[1] as f32);
-        let uniforms: Vec<ViewUniform> = frame
-            .views
+        let uniforms: Vec<PaneUniform> = frame
+            .panes
             .iter()
-            .map(|view| ViewUniform::new(view, (view.area.extent * picture).max(Vec2::ONE), point))
+            .map(|pane| PaneUniform::new(pane, (pane.area.extent * picture).max(Vec2::ONE), point))
             .collect();
-        let frame = &*self.texts.with_broken_notes(frame, picture, point);
-        let frame = &*notes::with_samples(frame, &uniforms, picture, point);
-        self.views.write(device, queue, &uniforms);
-        self.solids.upload(device, queue, frame);
+        // Of each pane two layers: its world, and what lies on the screen before it.
+        let notes = self.texts.lay_out_notes(frame, picture, point);
+        let flat: Vec<_> = notes.iter().map(|notes| notes::swatches(notes, point)).collect();
+        let layers = frame.panes.iter().zip(&uniforms);
+        let layers = layers
+            .flat_map(|(pane, world)| [*world, PaneUniform::flat((pane.area.extent * picture).max(Vec2::ONE), point)]);
+        self.panes.write(device, queue, &layers.collect::<Vec<_>>());
+        self.meshes.upload(device, queue, frame);
         self.quadrics.upload(device, queue, frame, &uniforms);
-        self.lines.upload(device, queue, frame);
-        self.points.upload(device, queue, frame);
-        self.texts.upload(device, queue, frame, &uniforms, picture, point);
+        let layers = || frame.panes.iter().zip(&flat);
+        let lines = layers().flat_map(|(pane, (lines, _))| [(&*pane.lines, pane.lift), (&**lines, 0.0)]);
+        self.lines.upload(device, queue, lines);
+        self.markers.upload(device, queue, layers().flat_map(|(pane, (_, markers))| [&*pane.markers, &**markers]));
+        self.texts.upload((device, queue), frame, &notes, &uniforms, picture, point);
 
         if let Some(resolve) = &mut self.resolve {
             let mut touched = Touched::none(picture);
@@ -107,23 +113,27 @@ impl Renderer {
                 occlusion_query_set: None,
                 multiview_mask: None,
             });
-            for (number, view) in frame.views.iter().enumerate() {
-                let corner = view.area.corner * picture;
-                let extent = (view.area.extent * picture).max(Vec2::ONE);
+            for (number, pane) in frame.panes.iter().enumerate() {
+                let corner = pane.area.corner * picture;
+                let extent = (pane.area.extent * picture).max(Vec2::ONE);
                 pass.set_viewport(corner.x, corner.y, extent.x, extent.y, 0.0, 1.0);
-                self.views.bind(&mut pass, 0, number);
-                self.solids.draw(&mut pass, number);
+                let (world, flat) = (2 * number, 2 * number + 1);
+                self.panes.bind(&mut pass, 0, world);
+                self.meshes.draw(&mut pass, number);
                 let hollow = self.quadrics.draw_far_walls(&mut pass, number);
                 if hollow {
-                    self.lines.draw_inside(&mut pass, number);
+                    self.lines.draw_inside(&mut pass, world);
                 }
                 self.quadrics.draw_near_walls(&mut pass, number);
                 if hollow {
-                    self.lines.draw_seen(&mut pass, number);
+                    self.lines.draw_seen(&mut pass, world);
                 } else {
-                    self.lines.draw_all(&mut pass, number);
+                    self.lines.draw_all(&mut pass, world);
                 }
-                self.points.draw(&mut pass, number);
+                self.markers.draw(&mut pass, world);
+                self.panes.bind(&mut pass, 0, flat);
+                self.lines.draw_seen(&mut pass, flat);
+                self.markers.draw(&mut pass, flat);
                 self.texts.draw(&mut pass, number);
             }
         }

@@ -1,6 +1,5 @@
 //! Texts: glyphs of an atlas as quads, with a halo that keeps them readable over anything.
 
-use std::borrow::Cow;
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
@@ -9,11 +8,11 @@ use glam::Vec2;
 use super::buffer::QuadBuffer;
 use super::glyphs::{Glyphs, TextLine};
 use super::labels::{self, Box2};
-use super::notes;
+use super::notes::{self, PlacedNote};
+use super::pane::PaneUniform;
 use super::pipeline::{PipelineMaker, Recipe};
 use super::targets::extent;
-use super::view::ViewUniform;
-use crate::frame::{Color, Frame, Note, View};
+use crate::frame::{Color, Frame};
 
 /// Radius of the halo (points).
 const HALO: f32 = 2.4;
@@ -23,9 +22,9 @@ const HALO_OPACITY: f32 = 0.8;
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 pub(super) struct GlyphData {
-    place: [f32; 4],
-    source: [f32; 3],
-    color: [f32; 4],
+    pub(super) place: [f32; 4],
+    pub(super) source: [f32; 3],
+    pub(super) color: [f32; 4],
 }
 
 /// Draws the labels of a frame.
@@ -35,7 +34,7 @@ pub(super) struct Texts {
     atlas: wgpu::Texture,
     glyphs: Glyphs,
     instances: QuadBuffer,
-    views: Vec<Range<u32>>,
+    panes: Vec<Range<u32>>,
     /// Of each text with its halo, in the picture: low and high corners (pixels).
     boxes: Vec<[Vec2; 2]>,
 }
@@ -95,51 +94,57 @@ impl Texts {
             writes_depth: false,
         });
         let instances = QuadBuffer::new("glyphs");
-        Self { pipeline, group, atlas, glyphs: Glyphs::new(), instances, views: vec![], boxes: vec![] }
+        Self { pipeline, group, atlas, glyphs: Glyphs::new(), instances, panes: vec![], boxes: vec![] }
+    }
+
+    /// Lays out the notes of each pane: what a frame begins with.
+    pub(super) fn lay_out_notes(&mut self, frame: &Frame, picture: Vec2, point: f32) -> Vec<Vec<PlacedNote>> {
+        self.glyphs.begin_frame();
+        let panes = frame.panes.iter();
+        panes.map(|pane| notes::lay_out(&pane.notes, &mut self.glyphs, pane.area.extent * picture, point)).collect()
     }
 
     pub(super) fn upload(
         &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
+        (device, queue): (&wgpu::Device, &wgpu::Queue),
         frame: &Frame,
-        uniforms: &[ViewUniform],
+        notes: &[Vec<PlacedNote>],
+        uniforms: &[PaneUniform],
         picture: Vec2,
         point: f32,
     ) {
         let mut instances = vec![];
-        self.views.clear();
+        self.panes.clear();
         self.boxes.clear();
-        self.glyphs.begin_frame();
         let halo = frame.background.alpha(HALO_OPACITY);
-        for (view, uniform) in frame.views.iter().zip(uniforms) {
+        for ((pane, notes), uniform) in frame.panes.iter().zip(notes).zip(uniforms) {
             let start = instances.len() as u32;
             let lines: Vec<TextLine> =
-                view.labels.iter().map(|label| self.glyphs.lay_out(&label.text, label.size * point)).collect();
+                pane.labels.iter().map(|label| self.glyphs.lay_out(&label.text, label.style.size * point)).collect();
             let extents: Vec<Vec2> = lines.iter().map(|line| Vec2::from_array(line.extent)).collect();
-            let pixels = view.area.extent * picture;
-            let notes = self.lay_out_notes(view, pixels, point);
-            let taken: Vec<Box2> = notes.iter().map(|(line, low, _)| box_of(line, *low)).collect();
-            let places = labels::place(view, uniform, &extents, &taken, pixels, point);
-            let placed = view.labels.iter().zip(&lines).zip(&places);
+            let pixels = pane.area.extent * picture;
+            let taken: Vec<Box2> = notes.iter().map(|note| note.room).collect();
+            let places = labels::place(pane, uniform, &extents, &taken, pixels, point);
+            let placed = pane.labels.iter().zip(&lines).zip(&places);
             let placed = placed.filter_map(|((label, line), place)| {
                 place.map(|place| (line, place.low, label.color.fade(place.opacity)))
             });
-            let texts: Vec<_> = placed.chain(notes.iter().map(|(line, low, color)| (line, *low, *color))).collect();
-            let corner = view.area.corner * picture;
+            let texts: Vec<_> = placed.chain(notes.iter().map(|note| (&note.line, note.low, note.color))).collect();
+            let corner = pane.area.corner * picture;
             let rim = Vec2::splat(HALO * point + 2.0);
             let around = |(line, low, _): &(&TextLine, Vec2, Color)| {
                 let low = corner + *low;
                 [low - rim, low + Vec2::from_array(line.extent) + rim]
             };
             self.boxes.extend(texts.iter().map(around));
+            self.boxes.extend(taken.iter().map(|room| [corner + room.low - rim, corner + room.high + rim]));
             for (radius, ink) in [(HALO * point, false), (0.0, true)] {
                 for &(line, place, own) in &texts {
                     let color = if ink { own } else { halo.fade(own.0[3]) };
                     append(line, place, radius, color, &mut instances);
                 }
             }
-            self.views.push(start..instances.len() as u32);
+            self.panes.push(start..instances.len() as u32);
         }
         self.instances.write(device, queue, &instances);
         if let Some((rows, pixels)) = self.glyphs.take_changed() {
@@ -149,58 +154,13 @@ impl Texts {
         }
     }
 
-    /// The frame with notes that are too long for their views broken into rows. Rows with samples are left whole.
-    pub(super) fn with_broken_notes<'a>(&mut self, frame: &'a Frame, picture: Vec2, point: f32) -> Cow<'a, Frame> {
-        let mut broken = Cow::Borrowed(frame);
-        for (number, view) in frame.views.iter().enumerate() {
-            let room = view.area.extent.x * picture.x - 2.0 * notes::MARGIN * point;
-            let rows: Vec<Note> = view.notes.iter().flat_map(|note| self.broken(note, room, point)).collect();
-            if rows.len() != view.notes.len() {
-                broken.to_mut().views[number].notes = rows;
-            }
-        }
-        broken
-    }
-
-    /// The rows of a note in this much room (pixels): as many words in each as fit.
-    fn broken(&mut self, note: &Note, room: f32, point: f32) -> Vec<Note> {
-        let mut width = |text: &str| self.glyphs.lay_out(text, note.size * point).extent[0];
-        if note.sample.is_some() || width(&note.text) <= room {
-            return vec![note.clone()];
-        }
-        let mut rows: Vec<String> = vec![];
-        for word in note.text.split(' ') {
-            match rows.last_mut() {
-                Some(row) if width(&format!("{row} {word}")) <= room => *row = format!("{row} {word}"),
-                _ => rows.push(word.to_owned()),
-            }
-        }
-        rows.into_iter().map(|text| Note { text, ..note.clone() }).collect()
-    }
-
-    /// The notes of a view: laid out, their top left corners, their colours.
-    fn lay_out_notes(&mut self, view: &View, pixels: Vec2, point: f32) -> Vec<(TextLine, Vec2, Color)> {
-        let rows = notes::rows(view, point).into_iter().zip(&view.notes);
-        rows.map(|(row, note)| {
-            let mut line = self.glyphs.lay_out(&note.text, note.size * point);
-            // A row that is too long is set smaller.
-            let room = pixels.x - row.x - notes::MARGIN * point;
-            if line.extent[0] > room {
-                line = self.glyphs.lay_out(&note.text, note.size * point * (room / line.extent[0]).max(0.3));
-            }
-            let low = (row - Vec2::new(0.0, 0.5 * line.extent[1])).round();
-            (line, low, note.color)
-        })
-        .collect()
-    }
-
     /// Where the texts of the frame last uploaded are: low and high corners (pixels).
     pub(super) fn boxes(&self) -> &[[Vec2; 2]] {
         &self.boxes
     }
 
-    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        let Some(range) = self.views.get(view).filter(|range| !range.is_empty()) else { return };
+    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pane: usize) {
+        let Some(range) = self.panes.get(pane).filter(|range| !range.is_empty()) else { return };
         if !self.instances.bind(pass) {
             return;
         }
@@ -208,11 +168,6 @@ impl Texts {
         pass.set_bind_group(1, &self.group, &[]);
         QuadBuffer::draw(pass, range.clone());
     }
-}
-
-/// The part of the view that a note takes, its sample too.
-fn box_of(line: &TextLine, low: Vec2) -> Box2 {
-    Box2 { low: Vec2::new(0.0, low.y), high: low + Vec2::from_array(line.extent) }
 }
 
 fn append(line: &TextLine, place: Vec2, halo: f32, color: Color, instances: &mut Vec<GlyphData>) {

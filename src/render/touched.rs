@@ -2,9 +2,9 @@
 
 use glam::{Vec2, Vec3};
 
+use super::pane::PaneUniform;
 use super::quadrics::covering_triangles;
-use super::view::ViewUniform;
-use crate::frame::{Frame, View};
+use crate::frame::{Frame, Pane};
 
 /// Side of a tile (pixels).
 const TILE: f32 = 32.0;
@@ -45,14 +45,14 @@ impl Touched {
     }
 
     /// Adds all that a frame draws, texts aside, where `point` pixels are a point.
-    pub(super) fn add_frame(&mut self, frame: &Frame, uniforms: &[ViewUniform], picture: Vec2, point: f32) {
-        for (view, uniform) in frame.views.iter().zip(uniforms) {
-            self.add_view(view, uniform, picture, point);
+    pub(super) fn add_frame(&mut self, frame: &Frame, uniforms: &[PaneUniform], picture: Vec2, point: f32) {
+        for (pane, uniform) in frame.panes.iter().zip(uniforms) {
+            self.add_view(pane, uniform, picture, point);
         }
     }
 
-    fn add_view(&mut self, view: &View, uniform: &ViewUniform, picture: Vec2, point: f32) {
-        let (corner, extent) = (view.area.corner * picture, view.area.extent * picture);
+    fn add_view(&mut self, pane: &Pane, uniform: &PaneUniform, picture: Vec2, point: f32) {
+        let (corner, extent) = (pane.area.corner * picture, pane.area.extent * picture);
         let pixel = |ndc: Vec2| corner + (ndc * Vec2::new(0.5, -0.5) + 0.5) * extent;
         // What reaches behind the eye may be anywhere.
         let project = |at: Vec3| uniform.ndc(at).map(pixel);
@@ -65,22 +65,22 @@ impl Touched {
                 };
                 (low, high) = (low.min(point), high.max(point));
             }
-            // Nothing is drawn outside the view.
+            // Nothing is drawn outside the pane.
             self.add((low - margin).max(corner), (high + margin).min(corner + extent));
         };
-        for solid in &view.solids {
-            add(&mut solid.mesh.vertices.iter().map(|vertex| project(vertex.position)), SOFT);
+        for mesh in &pane.meshes {
+            add(&mut mesh.vertices.iter().map(|vertex| project(vertex.position)), SOFT);
         }
-        for pair in &view.quadrics {
+        for pair in &pane.quadrics {
             add(&mut covering_triangles(pair, uniform.clip_from_world).into_iter().map(|ndc| Some(pixel(ndc))), SOFT);
         }
-        for line in &view.lines {
+        for line in &pane.lines {
             let margin = 0.5 * (line.width * point).max(1.0) + SOFT;
             for ends in line.points.windows(2) {
                 add(&mut ends.iter().map(|end| project(end.position)), margin);
             }
         }
-        for mark in &view.points {
+        for mark in &pane.markers {
             add(&mut std::iter::once(project(mark.position)), (MARK_REACH * mark.size + 2.0) * point + SOFT);
         }
     }

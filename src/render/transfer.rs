@@ -2,25 +2,24 @@
 
 /// What one transfer differs in from another.
 #[derive(Debug)]
-pub struct Transfer<'a> {
+pub(super) struct Transfer<'a> {
     /// Its name.
-    pub label: &'static str,
+    pub(super) label: &'static str,
     /// The shader: the texture is at binding 0 of group 0, the entries are `vertex` and `fragment`.
-    pub source: wgpu::ShaderModuleDescriptor<'a>,
+    pub(super) source: wgpu::ShaderModuleDescriptor<'a>,
     /// Whether the texture has several samples a pixel.
-    pub multisampled: bool,
+    pub(super) multisampled: bool,
     /// What the vertices are, where they are any.
-    pub buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
+    pub(super) buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
     /// Values of the shader's constants.
-    pub constants: &'a [(&'a str, f64)],
+    pub(super) constants: &'a [(&'a str, f64)],
     /// What is drawn to.
-    pub format: wgpu::TextureFormat,
+    pub(super) format: wgpu::TextureFormat,
 }
 
 impl Transfer<'_> {
     /// Makes its pipeline, and the layout of its one bind group.
-    #[must_use]
-    pub fn pipeline(self, device: &wgpu::Device) -> (wgpu::RenderPipeline, wgpu::BindGroupLayout) {
+    pub(super) fn pipeline(self, device: &wgpu::Device) -> (wgpu::RenderPipeline, wgpu::BindGroupLayout) {
         let label = Some(self.label);
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label,

@@ -412,7 +412,7 @@ fn only_what_changes_the_picture_redraws_it() -> Result<(), SceneError> {
     assert_eq!(driven.apply(Command::FocusPanel), [Effect::FocusPanel]);
     assert!(driven.session.shown.panel, "the panel is shown where the keyboard goes into it");
     let frame = driven.session.frame(1.25);
-    assert_eq!(frame.views.len(), 1);
+    assert_eq!(frame.panes.len(), 1);
     Ok(())
 }
 

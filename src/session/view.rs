@@ -56,14 +56,14 @@ impl Session {
 
     /// The view of momentum space, where it is shown.
     pub(super) fn momentum_pane(&self) -> Option<Pane> {
-        let (_, area) = self.areas().into_iter().find(|(space, _)| *space == Space::Body)?;
-        let camera = objects::camera(&self.scene, &self.sim, &self.cameras, Space::Body);
+        let (_, area) = self.areas().into_iter().find(|(space, _)| *space == Space::Momentum)?;
+        let camera = objects::camera(&self.scene, &self.sim, &self.cameras, Space::Momentum);
         Some(Pane::new(&area, self.picture_size, camera))
     }
 
     /// Where the tip of M is in the picture, where it is on the near side of the sphere.
     pub(super) fn tip(&self) -> Option<Pixels> {
-        let is_drawn = objects::object_named("tip").is_some_and(|tip| objects::is_shown(tip, &self.scene.view));
+        let is_drawn = objects::is_shown(&objects::TIP, &self.scene.view);
         let axes = self.scene.body.body_from_principal();
         self.momentum_pane().filter(|_| is_drawn)?.near_side(axes.transpose() * self.sim.state().body_momentum)
     }

@@ -41,7 +41,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     }
     if look.scene.view.layout != Layout::World {
         section(ui, "In the body");
-        checkboxes(ui, look, Space::Body, commands);
+        checkboxes(ui, look, Space::Momentum, commands);
     }
 }
 

@@ -1,4 +1,4 @@
-//! Bodies of triangles: opaque ones first, translucent ones over them from the farthest on.
+//! Surfaces of triangles: opaque ones first, translucent ones over them from the farthest on.
 
 use std::ops::Range;
 
@@ -6,36 +6,36 @@ use bytemuck::{Pod, Zeroable};
 
 use super::buffer::FrameBuffer;
 use super::pipeline::{PipelineMaker, Recipe};
-use crate::frame::{Frame, Solid, View};
+use crate::frame::{Frame, Mesh, Pane};
 
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 pub(super) struct VertexData {
-    position: [f32; 3],
-    normal: [f32; 3],
-    color: [f32; 4],
+    pub(super) position: [f32; 3],
+    pub(super) normal: [f32; 3],
+    pub(super) color: [f32; 4],
 }
 
-/// Draws the solids of a frame.
-pub(super) struct Solids {
+/// Draws the meshes of a frame.
+pub(super) struct Meshes {
     opaque: wgpu::RenderPipeline,
     far_sides: wgpu::RenderPipeline,
     near_sides: wgpu::RenderPipeline,
     vertices: FrameBuffer,
     indices: FrameBuffer,
-    views: Vec<Ranges>,
+    panes: Vec<Ranges>,
 }
 
-/// The indices of one view's solids; every translucent one by itself.
+/// The indices of one pane's meshes; every translucent one by itself.
 #[derive(Default)]
 struct Ranges {
     opaque: Range<u32>,
     translucent: Vec<Range<u32>>,
 }
 
-impl Solids {
+impl Meshes {
     pub(super) fn new(maker: &PipelineMaker<'_>) -> Self {
-        let module = maker.module("solid", include_str!("../../shaders/solid.wgsl"));
+        let module = maker.module("mesh", include_str!("../../shaders/mesh.wgsl"));
         let pipeline = |label, cull, writes_depth| {
             maker.pipeline(&Recipe {
                 label,
@@ -53,38 +53,38 @@ impl Solids {
             })
         };
         Self {
-            opaque: pipeline("opaque solids", None, true),
-            far_sides: pipeline("far sides of translucent solids", Some(wgpu::Face::Front), false),
-            near_sides: pipeline("near sides of translucent solids", Some(wgpu::Face::Back), false),
-            vertices: FrameBuffer::new("solid vertices", wgpu::BufferUsages::VERTEX),
-            indices: FrameBuffer::new("solid indices", wgpu::BufferUsages::INDEX),
-            views: vec![],
+            opaque: pipeline("opaque meshes", None, true),
+            far_sides: pipeline("far sides of translucent meshes", Some(wgpu::Face::Front), false),
+            near_sides: pipeline("near sides of translucent meshes", Some(wgpu::Face::Back), false),
+            vertices: FrameBuffer::new("mesh vertices", wgpu::BufferUsages::VERTEX),
+            indices: FrameBuffer::new("mesh indices", wgpu::BufferUsages::INDEX),
+            panes: vec![],
         }
     }
 
     pub(super) fn upload(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, frame: &Frame) {
         let (mut vertices, mut indices) = (vec![], vec![]);
-        self.views.clear();
-        for view in &frame.views {
+        self.panes.clear();
+        for pane in &frame.panes {
             let start = indices.len() as u32;
-            for solid in view.solids.iter().filter(|solid| solid.opaque) {
-                append(solid, &mut vertices, &mut indices);
+            for mesh in pane.meshes.iter().filter(|mesh| mesh.opaque) {
+                append(mesh, &mut vertices, &mut indices);
             }
             let mut ranges = Ranges { opaque: start..indices.len() as u32, translucent: vec![] };
-            for solid in farthest_first(view) {
+            for mesh in farthest_first(pane) {
                 let start = indices.len() as u32;
-                append(solid, &mut vertices, &mut indices);
+                append(mesh, &mut vertices, &mut indices);
                 ranges.translucent.push(start..indices.len() as u32);
             }
-            self.views.push(ranges);
+            self.panes.push(ranges);
         }
         self.vertices.write(device, queue, bytemuck::cast_slice(&vertices));
         self.indices.write(device, queue, bytemuck::cast_slice(&indices));
     }
 
-    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pane: usize) {
         let (Some(vertices), Some(indices), Some(ranges)) =
-            (self.vertices.get(), self.indices.get(), self.views.get(view))
+            (self.vertices.get(), self.indices.get(), self.panes.get(pane))
         else {
             return;
         };
@@ -97,33 +97,33 @@ impl Solids {
             pass.set_pipeline(&self.opaque);
             pass.draw_indexed(ranges.opaque.clone(), 0, 0..1);
         }
-        for solid in &ranges.translucent {
+        for mesh in &ranges.translucent {
             for pipeline in [&self.far_sides, &self.near_sides] {
                 pass.set_pipeline(pipeline);
-                pass.draw_indexed(solid.clone(), 0, 0..1);
+                pass.draw_indexed(mesh.clone(), 0, 0..1);
             }
         }
     }
 }
 
-fn append(solid: &Solid, vertices: &mut Vec<VertexData>, indices: &mut Vec<u32>) {
+fn append(mesh: &Mesh, vertices: &mut Vec<VertexData>, indices: &mut Vec<u32>) {
     let base = vertices.len() as u32;
-    vertices.extend(solid.mesh.vertices.iter().map(|vertex| VertexData {
+    vertices.extend(mesh.vertices.iter().map(|vertex| VertexData {
         position: vertex.position.to_array(),
         normal: vertex.normal.to_array(),
         color: vertex.color.0,
     }));
-    indices.extend(solid.mesh.indices.iter().map(|index| base + index));
+    indices.extend(mesh.indices.iter().map(|index| base + index));
 }
 
-fn farthest_first(view: &View) -> Vec<&Solid> {
-    let eye = view.camera.eye();
-    let depth = |solid: &Solid| {
-        let count = solid.mesh.vertices.len().max(1) as f32;
-        let centre = solid.mesh.vertices.iter().map(|vertex| vertex.position).sum::<glam::Vec3>() / count;
+fn farthest_first(pane: &Pane) -> Vec<&Mesh> {
+    let eye = pane.camera.eye();
+    let depth = |mesh: &Mesh| {
+        let count = mesh.vertices.len().max(1) as f32;
+        let centre = mesh.vertices.iter().map(|vertex| vertex.position).sum::<glam::Vec3>() / count;
         centre.distance_squared(eye)
     };
-    let mut translucent: Vec<&Solid> = view.solids.iter().filter(|solid| !solid.opaque).collect();
+    let mut translucent: Vec<&Mesh> = pane.meshes.iter().filter(|mesh| !mesh.opaque).collect();
     translucent.sort_by(|a, b| depth(b).total_cmp(&depth(a)));
     translucent
 }

@@ -1,7 +1,9 @@
 //! The picture's own texture, and the copy of it into the window. The picture is redrawn only when something in it
 //! changed; the panels around it come and go without it.
 
-use crate::render::{FORMAT, Gpu, Transfer};
+use super::gpu::Gpu;
+use super::targets::FORMAT;
+use super::transfer::Transfer;
 
 /// The picture's texture and what copies it.
 #[derive(Debug)]

@@ -6,16 +6,16 @@ use bytemuck::{Pod, Zeroable};
 
 use super::buffer::QuadBuffer;
 use super::pipeline::PipelineMaker;
-use crate::frame::{Frame, Mark};
+use crate::frame::{Mark, Marker};
 
-/// `Mark` of shaders/point.wgsl.
+/// `Mark` of shaders/marker.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 pub(super) struct MarkData {
-    position: [f32; 3],
-    style: [f32; 3],
-    color: [f32; 4],
-    rim: [f32; 4],
+    pub(super) position: [f32; 3],
+    pub(super) style: [f32; 3],
+    pub(super) color: [f32; 4],
+    pub(super) rim: [f32; 4],
 }
 
 /// The names of the marks in the shader, by their places in [`Mark`].
@@ -40,50 +40,56 @@ const FORMS: [(Mark, &str); 15] = [
 /// The shader after the numbers of the marks, which it names.
 pub(super) fn source() -> String {
     let numbers: Vec<String> = FORMS.iter().map(|(mark, name)| format!("const {name} = {}u;\n", *mark as u8)).collect();
-    numbers.concat() + include_str!("../../shaders/point.wgsl")
+    numbers.concat() + include_str!("../../shaders/marker.wgsl")
 }
 
-/// Draws the points of a frame.
-pub(super) struct Points {
+/// Draws the markers of a frame.
+pub(super) struct Markers {
     seen: wgpu::RenderPipeline,
     hidden: wgpu::RenderPipeline,
     marks: QuadBuffer,
-    views: Vec<Range<u32>>,
+    layers: Vec<Range<u32>>,
 }
 
-impl Points {
+impl Markers {
     pub(super) fn new(maker: &PipelineMaker<'_>) -> Self {
-        let module = maker.module("point", &source());
+        let module = maker.module("marker", &source());
         let attributes = wgpu::vertex_attr_array![
             0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32x4
         ];
         let pipeline = |label, vertex, depth| maker.overlay::<MarkData>(label, &module, &attributes, vertex, depth);
         Self {
-            seen: pipeline("points", "vertex_seen", wgpu::CompareFunction::GreaterEqual),
-            hidden: pipeline("hidden points", "vertex_hidden", wgpu::CompareFunction::Less),
-            marks: QuadBuffer::new("points"),
-            views: vec![],
+            seen: pipeline("markers", "vertex_seen", wgpu::CompareFunction::GreaterEqual),
+            hidden: pipeline("hidden markers", "vertex_hidden", wgpu::CompareFunction::Less),
+            marks: QuadBuffer::new("markers"),
+            layers: vec![],
         }
     }
 
-    pub(super) fn upload(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, frame: &Frame) {
+    /// Those of each layer, of a pane's world or of what lies on the screen before it.
+    pub(super) fn upload<'a>(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        layers: impl Iterator<Item = &'a [Marker]>,
+    ) {
         let mut marks = vec![];
-        self.views.clear();
-        for view in &frame.views {
+        self.layers.clear();
+        for markers in layers {
             let start = marks.len() as u32;
-            marks.extend(view.points.iter().map(|point| MarkData {
-                position: point.position.to_array(),
-                style: [point.size, point.hidden, f32::from(point.mark as u8)],
-                color: point.color.0,
-                rim: point.rim.0,
+            marks.extend(markers.iter().map(|marker| MarkData {
+                position: marker.position.to_array(),
+                style: [marker.size, marker.hidden, f32::from(marker.mark as u8)],
+                color: marker.color.0,
+                rim: marker.rim.0,
             }));
-            self.views.push(start..marks.len() as u32);
+            self.layers.push(start..marks.len() as u32);
         }
         self.marks.write(device, queue, &marks);
     }
 
-    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        let Some(range) = self.views.get(view).filter(|range| !range.is_empty()) else { return };
+    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, layer: usize) {
+        let Some(range) = self.layers.get(layer).filter(|range| !range.is_empty()) else { return };
         if !self.marks.bind(pass) {
             return;
         }

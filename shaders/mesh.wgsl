@@ -8,16 +8,16 @@ struct Corner {
 
 @vertex
 fn vertex(@location(0) position: vec3f, @location(1) normal: vec3f, @location(2) color: vec4f) -> Corner {
-    return Corner(view.clip_from_world * vec4f(position, 1.0), position, normal, color);
+    return Corner(pane.clip_from_world * vec4f(position, 1.0), position, normal, color);
 }
 
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     var color = corner.color.rgb;
     if dot(corner.normal, corner.normal) > 0.25 {
-        let to_eye = normalize(view.eye.xyz - corner.world);
+        let to_eye = normalize(pane.eye.xyz - corner.world);
         let normal = normalize(select(-corner.normal, corner.normal, front));
-        color = lit(color, normal, normalize(view.key_light.xyz + to_eye), 0.06);
+        color = lit(color, normal, normalize(pane.key_light.xyz + to_eye), 0.06);
     }
     return vec4f(color * corner.color.a, corner.color.a);
 }

@@ -20,16 +20,16 @@ struct Corner {
 }
 
 fn corner(mark: Mark, index: u32, hidden: bool) -> Corner {
-    let centre = view.clip_from_world * vec4f(mark.position, 1.0);
-    let radius = 0.5 * mark.style.x * view.metrics.z;
+    let centre = pane.clip_from_world * vec4f(mark.position, 1.0);
+    let radius = 0.5 * mark.style.x * pane.metrics.z;
     let offset = (2.0 * quad_corner(index) - 1.0) * (1.5 * radius + 2.0);
     let opacity = select(1.0, mark.style.y, hidden);
     var clip = vec4f(2.0, 2.0, 0.0, 1.0);
-    if centre.w > view.eye.w && opacity > 0.0 {
+    if centre.w > pane.eye.w && opacity > 0.0 {
         let ndc = centre.xyz / centre.w;
-        clip = vec4f(ndc.xy + 2.0 * offset / view.metrics.xy, min(ndc.z * LIFT, 1.0), 1.0);
+        clip = vec4f(ndc.xy + 2.0 * offset / pane.metrics.xy, min(ndc.z * LIFT, 1.0), 1.0);
     }
-    return Corner(clip, offset, vec4f(radius, mark.style.z, opacity, view.metrics.z), mark.color, mark.rim);
+    return Corner(clip, offset, vec4f(radius, mark.style.z, opacity, pane.metrics.z), mark.color, mark.rim);
 }
 
 @vertex
@@ -58,7 +58,7 @@ fn hourglass(along: f32, across: f32, half: f32) -> f32 {
     return max(along - half, (across - 0.9 * along) * 0.743);
 }
 
-// Distance to the outline (pixels), negative inside. The forms are the marks of src/frame.rs, numbered by src/render/point.rs.
+// Distance to the outline (pixels), negative inside. The forms are the marks of src/frame.rs, numbered by src/render/marker.rs.
 fn outline(form: f32, p: vec2f, radius: f32) -> f32 {
     let a = abs(p);
     // Half the stroke of the empty forms.

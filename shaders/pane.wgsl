@@ -1,5 +1,5 @@
-// What every primitive of a view knows. Mirrored by `ViewUniform` in src/render/view.rs.
-struct View {
+// What every primitive of a view knows. Mirrored by `PaneUniform` in src/render/pane.rs.
+struct Pane {
     clip_from_world: mat4x4f,
     // The ray through a pixel is ray_forward + ndc.x ray_right + ndc.y ray_up; its parameter is the view depth.
     ray_right: vec4f,
@@ -14,14 +14,14 @@ struct View {
     metrics: vec4f,
 }
 
-@group(0) @binding(0) var<uniform> view: View;
+@group(0) @binding(0) var<uniform> pane: Pane;
 
 // Soft light. `half_way` lies between the key light and the eye.
 fn lit(color: vec3f, normal: vec3f, half_way: vec3f, gloss: f32) -> vec3f {
     // Wrapped: no face goes black, and the turn from light to shade is soft.
-    let key = 0.5 + 0.5 * dot(normal, view.key_light.xyz);
-    let fill = 0.5 + 0.5 * dot(normal, view.fill_light.xyz);
-    let light = view.metrics.w + key * (0.3 + 0.7 * key) * view.key_light.w + fill * view.fill_light.w;
+    let key = 0.5 + 0.5 * dot(normal, pane.key_light.xyz);
+    let fill = 0.5 + 0.5 * dot(normal, pane.fill_light.xyz);
+    let light = pane.metrics.w + key * (0.3 + 0.7 * key) * pane.key_light.w + fill * pane.fill_light.w;
     // The 32nd power, by squaring: cheap where there is no special hardware for powers.
     let s = max(dot(normal, half_way), 0.0);
     let s2 = s * s;

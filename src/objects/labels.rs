@@ -1,0 +1,24 @@
+//! How names are set: one style for each kind of thing that is named.
+
+use crate::frame::LabelStyle;
+
+/// A vector of the room, at its tip: it moves.
+pub(super) const VECTOR: LabelStyle = LabelStyle { size: 26.0, gap: 10.0, priority: 10, moves: true };
+/// One that stays.
+pub(super) const FIXED_VECTOR: LabelStyle = LabelStyle { priority: 11, moves: false, ..VECTOR };
+/// M, beside the ball at its tip.
+pub(super) const TIP: LabelStyle = LabelStyle { size: 26.0, gap: 14.0, priority: 9, moves: true };
+/// The number of an axis, as it turns with the body.
+pub(super) const NUMBER: LabelStyle = LabelStyle { size: 24.0, gap: 5.0, priority: 4, moves: true };
+/// The moment of an axis that stands still.
+pub(super) const MOMENT: LabelStyle = LabelStyle { size: 19.0, gap: 6.0, priority: 5, moves: false };
+/// A path on the sphere.
+pub(super) const PATH: LabelStyle = LabelStyle { size: 19.0, gap: 12.0, priority: 4, moves: false };
+/// A border on the sphere.
+pub(super) const BORDER: LabelStyle = LabelStyle { size: 19.0, gap: 8.0, priority: 3, moves: false };
+/// A round surface, at its outline.
+pub(super) const SURFACE: LabelStyle = LabelStyle { size: 19.0, gap: 14.0, priority: 2, moves: false };
+/// What lies on the floor.
+pub(super) const FLOOR: LabelStyle = LabelStyle { size: 19.0, gap: 6.0, priority: 1, moves: false };
+/// What rolls over it.
+pub(super) const ROLLING: LabelStyle = LabelStyle { moves: true, ..FLOOR };
