@@ -104,6 +104,12 @@ pub(crate) fn rotate_back(q: DQuat, v: DVec3) -> DVec3 {
     v + q.w * twice + twice.cross(axis)
 }
 
+/// `|q|² R v` for the rotation R of a quaternion of any length: `(q₀² − |𝐪|²)v + 2(𝐪·v)𝐪 + 2q₀ 𝐪×v`.
+pub(crate) fn rotate_scaled(q: DQuat, v: DVec3) -> DVec3 {
+    let axis = DVec3::new(q.x, q.y, q.z);
+    (q.w * q.w - axis.length_squared()) * v + 2.0 * (axis.dot(v) * axis + q.w * axis.cross(v))
+}
+
 /// Takes a quaternion of almost unit length back to it: `q(3 − |q|²)/2`, which squares the error of the length.
 pub(crate) fn renormalize(q: DQuat) -> DQuat {
     q * (1.5 - 0.5 * q.length_squared())
