@@ -15,8 +15,8 @@
 //! let motion = Motion::new(&body, &start);
 //!
 //! // It turns over: half a period after the first flip its middle axis points the other way round L.
-//! let period = poinsot::flip_period(&body, start.body_momentum).expect("it flips");
-//! let first = poinsot::next_flip(&body, start.body_momentum).expect("it flips");
+//! let period = poinsot::flip_period_of(&body, &start).expect("it flips");
+//! let first = poinsot::next_flip_of(&body, &start).expect("it flips");
 //! assert!(motion.momentum(first + 0.5 * period).y < -0.99 * start.body_momentum.y);
 //!
 //! // A year later costs what a second later costs, and keeps the energy.
@@ -56,7 +56,7 @@
 //! let mut simulation = Simulation::new(&scene);
 //! simulation.step(1000);
 //! assert_eq!(simulation.time(), 1.0);
-//! assert_eq!(simulation.momentum_error(), 0.0);
+//! assert!(simulation.momentum_error() < 1e-14);
 //! # Ok::<(), dzhanibekov::scene::SceneError>(())
 //! ```
 //!

@@ -107,6 +107,11 @@ impl Body {
 
     /// A body with a tensor of which the first one is what is left after rounding.
     pub(super) fn from_exact_tensor(inertia: DMat3, exact: &Tensor) -> Result<Self, BodyError> {
+        // A body too small for numbers, not one that cannot be.
+        let diagonal = DVec3::new(inertia.x_axis.x, inertia.y_axis.y, inertia.z_axis.z);
+        if exact[..3].iter().zip(diagonal.to_array()).any(|(exact, rounded)| exact.sign() > 0 && rounded == 0.0) {
+            return Err(BodyError::Moment(0.0));
+        }
         if !principal::is_positive_definite(exact) {
             // Scaled by the largest entry, so that no square overflows.
             let largest = inertia.to_cols_array().iter().fold(f64::MIN_POSITIVE, |m: f64, e| m.max(e.abs()));
@@ -114,9 +119,7 @@ impl Body {
             let smallest = moments.iter().copied().fold(f64::MAX, f64::min);
             return Err(BodyError::NotPositiveDefinite(smallest.min(0.0) * largest));
         }
-        let body = Self::from_principal(inertia, Principal::from_tensor(exact));
-        check_moments(body.principal_moments)?;
-        Ok(body)
+        Ok(Self::from_principal(inertia, Principal::from_tensor(exact)))
     }
 
     fn from_principal(inertia: DMat3, principal: Principal) -> Self {

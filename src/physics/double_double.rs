@@ -163,6 +163,11 @@ pub(crate) fn exponent_of(x: f64) -> i32 {
     if biased(x) == 0 { biased(x * 2f64.powi(64)) - 64 - 1023 } else { biased(x) - 1023 }
 }
 
+/// The power of two at or below the size of a number in the middle of the range of f64.
+pub(crate) fn power_of_two(x: f64) -> f64 {
+    f64::from_bits(x.abs().max(f64::MIN_POSITIVE).to_bits() & 0x7ff0_0000_0000_0000)
+}
+
 /// Two powers of two whose product is `2^exponent`, which itself may be out of the range of f64.
 pub(crate) fn power_of_two_of(exponent: i32) -> [f64; 2] {
     let power = |e: i32| f64::from_bits(u64::from((e.clamp(-1022, 1023) + 1023).unsigned_abs()) << 52);
@@ -202,6 +207,11 @@ impl Wide {
                 self.value.scaled(first).scaled(second)
             }
         }
+    }
+
+    /// The nearest f64; infinite beyond their range.
+    pub(crate) fn rounded(self) -> f64 {
+        if self.exponent > 1023 { f64::INFINITY.copysign(self.value.high) } else { self.in_unit(0).value() }
     }
 
     /// The logarithm of a number that is not negative.

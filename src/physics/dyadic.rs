@@ -240,7 +240,12 @@ pub(crate) fn dot(a: &[Dyadic; 3], b: &[Dyadic; 3]) -> Dyadic {
 impl Dyadic {
     /// The nearest f64.
     pub(crate) fn value(&self) -> f64 {
-        self.wide().in_unit(0).value()
+        self.wide().rounded()
+    }
+
+    /// `a/b` of small whole numbers.
+    pub(crate) fn ratio(a: f64, b: f64, limbs: usize) -> Self {
+        (&Self::from(a) * &Self::from(b).reciprocal(limbs)).rounded(limbs)
     }
 
     /// As a sum of three f64: 159 bits of it at least.
@@ -256,4 +261,17 @@ impl Dyadic {
         let [first, second, third] = parts.map(Self::from);
         &(&first + &second) + &third
     }
+}
+
+/// π to 320 bits after the point.
+pub(crate) fn pi() -> Dyadic {
+    const FRACTION: [u64; 6] = [
+        0x4528_21e6_38d0_1377,
+        0x082e_fa98_ec4e_6c89,
+        0xa409_3822_299f_31d0,
+        0x1319_8a2e_0370_7344,
+        0x243f_6a88_85a3_08d3,
+        3,
+    ];
+    Dyadic::new(false, FRACTION.to_vec(), -5)
 }

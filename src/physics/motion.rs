@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::Body;
+use super::{Body, so3};
 
 /// Attitude and momentum at one moment. World momentum is stored and never recomputed from the attitude, so that
 /// a method which keeps it keeps every bit of it.
@@ -80,6 +80,22 @@ impl State {
     pub fn world_inertia(&self, body: &Body) -> DMat3 {
         self.world_from_body * body.inertia() * self.world_from_body.transpose()
     }
+}
+
+/// How far the world momentum has gone from that of the start, `|R M − L₀|/ℓ`; absolute (kg m²/s) where the start is at rest. It is measured on
+/// attitude and body momentum as they are, not taken from a momentum that a method stores.
+#[must_use]
+pub fn momentum_error(start: &State, now: &State) -> f64 {
+    let ell = so3::norm(start.world_momentum);
+    let unit = if ell == 0.0 { 1.0 } else { ell };
+    so3::norm(now.world_from_body * (now.body_momentum / unit) - start.world_momentum / unit)
+}
+
+/// How far the energy has gone from that of the start, `(K − K₀)/K₀`; absolute (J) where the start is at rest. Negative where some is lost.
+#[must_use]
+pub fn energy_error(body: &Body, start: &State, now: &State) -> f64 {
+    let (before, difference) = (start.energy(body), now.energy(body) - start.energy(body));
+    if before == 0.0 { difference } else { difference / before }
 }
 
 /// Euler's equation, the rate of the body momentum: `Ṁ = M × Ω` (kg m²/s²).

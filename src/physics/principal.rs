@@ -10,7 +10,7 @@ use super::dyadic::Dyadic;
 use super::so3;
 
 /// Digits carried while axes are found: 320 bits at least, of which a needle or a pair of nearly equal moments may take two thirds.
-const LIMBS: usize = 6;
+pub(crate) const LIMBS: usize = 6;
 /// A turn by less than `2⁻¹¹⁰` is none to 106 bits.
 const SMALLEST_TURN: f64 = 7.703_719_777_548_943e-34;
 /// What rounding leaves where there is nothing, in units of the largest entry: below `2⁻²⁵⁰`.
@@ -236,7 +236,7 @@ fn diagonalize(tensor: &Tensor) -> ([Dyadic; 3], [[DoubleDouble; 3]; 3]) {
     let [first, second, third] = rough;
     let third = if first.cross(second).dot(third) < 0.0 { -third } else { third };
     // Columns are axes; `a` is the tensor in them.
-    let mut axes = rotation(so3::quaternion(DMat3::from_cols(first, second, third)).to_array());
+    let mut axes = rotation(so3::quaternion(DMat3::from_cols(first, second, third)).to_array().map(Dyadic::from));
     let mut a = [0, 1, 2].map(|_| [0, 1, 2].map(|_| Dyadic::default()));
     for j in 0..3 {
         let column = product(tensor, &axes[j]).map(|x| x.rounded(LIMBS));
@@ -294,8 +294,7 @@ fn rotate(a: &mut [[Dyadic; 3]; 3], axes: &mut [[Dyadic; 3]; 3], p: usize, q: us
 }
 
 /// The columns of the rotation of a quaternion `x, y, z, w` of any length.
-pub(crate) fn rotation(quaternion: [f64; 4]) -> [[Dyadic; 3]; 3] {
-    let [x, y, z, w] = quaternion.map(Dyadic::from);
+pub(crate) fn rotation([x, y, z, w]: [Dyadic; 4]) -> [[Dyadic; 3]; 3] {
     let square = |a: &Dyadic| a * a;
     let (xx, yy, zz, ww) = (square(&x), square(&y), square(&z), square(&w));
     let inverse = (&(&xx + &yy) + &(&zz + &ww)).reciprocal(LIMBS);

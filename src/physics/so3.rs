@@ -4,6 +4,8 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
+use super::double_double::{self, DoubleDouble};
+
 /// The matrix `[v×]` of the cross product: `hat(a) * b = a × b`.
 ///
 /// Lie algebra notation: `ad_a`. Its bracket is the cross product, `[a×][b×] − [b×][a×] = [(a×b)×]`.
@@ -64,11 +66,48 @@ pub fn exp_quaternion(v: DVec3) -> DQuat {
     DQuat::from_xyzw(sine * axis.x, sine * axis.y, sine * axis.z, cosine)
 }
 
+/// Sine and cosine of an angle in degrees: exact where they are 0, ±½ or ±1, else within ε.
+#[must_use]
+pub fn sine_and_cosine_of_degrees(degrees: f64) -> (f64, f64) {
+    let (sine, cosine) = exact_sine_and_cosine(DoubleDouble::from(degrees));
+    (sine.value(), cosine.value())
+}
+
+/// The same to 100 bits. Whole quarter turns go first; what is left, 45° at most, by the power series.
+pub(crate) fn exact_sine_and_cosine(degrees: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+    let whole = degrees.high % 360.0;
+    let quarters = (whole / 90.0).round();
+    let angle =
+        (DoubleDouble::sum(whole - 90.0 * quarters, degrees.low) * double_double::PI) / DoubleDouble::from(180.0);
+    let square = -(angle * angle);
+    // Σ (−x²)ⁿ/(2n+1)! and Σ (−x²)ⁿ/(2n)!, from the smallest term: (π/4)²⁸/28! < 1e-32.
+    let one = DoubleDouble::from(1.0);
+    let (mut sine, mut cosine) = (one, one);
+    for n in (1..=14).rev() {
+        let n = f64::from(n);
+        sine = one + square * sine / DoubleDouble::from(2.0 * n * (2.0 * n + 1.0));
+        cosine = one + square * cosine / DoubleDouble::from(2.0 * n * (2.0 * n - 1.0));
+    }
+    let sine = angle * sine;
+    match quarters.rem_euclid(4.0) as u8 {
+        0 => (sine, cosine),
+        1 => (cosine, -sine),
+        2 => (-sine, -cosine),
+        _ => (-cosine, sine),
+    }
+}
+
 /// `R⁻¹v` for the rotation of a unit quaternion: `v + 2(q₀ v×q + (v×q)×q)`.
 pub(crate) fn rotate_back(q: DQuat, v: DVec3) -> DVec3 {
     let axis = DVec3::new(q.x, q.y, q.z);
     let twice = 2.0 * v.cross(axis);
     v + q.w * twice + twice.cross(axis)
+}
+
+/// `|q|² R v` for the rotation R of a quaternion of any length: `(q₀² − |𝐪|²)v + 2(𝐪·v)𝐪 + 2q₀ 𝐪×v`.
+pub(crate) fn rotate_scaled(q: DQuat, v: DVec3) -> DVec3 {
+    let axis = DVec3::new(q.x, q.y, q.z);
+    (q.w * q.w - axis.length_squared()) * v + 2.0 * (axis.dot(v) * axis + q.w * axis.cross(v))
 }
 
 /// Takes a quaternion of almost unit length back to it: `q(3 − |q|²)/2`, which squares the error of the length.

@@ -2,6 +2,9 @@
 
 use glam::{DMat3, DVec3};
 
+use super::double_double::{DoubleDouble, power_of_two};
+use super::dyadic::{self, Dyadic};
+use super::principal::{self, LIMBS, Tensor};
 use super::{Body, BodyError, number, so3};
 
 /// A shape about its own centre, in its own frame.
@@ -144,25 +147,132 @@ impl Solid {
 /// Mass, centre of mass and body of solids that move as one, by the parallel-axis theorem
 /// `I = Σ (R I_own Rᵀ + m (d² 1 − d dᵀ))`, d from the common centre to the solid's own.
 ///
+/// All sums are taken without rounding, so that a light solid far from the others, a thin one and nearly equal moments keep their digits.
 /// Where solids overlap, both count. Whether they touch is not asked.
 ///
 /// # Errors
 /// No solid, a size or a density that is not finite and positive, a position that is not finite, an orientation that is no rotation, or
 /// moments beyond the range of f64.
 pub fn assemble(solids: &[Solid]) -> Result<Assembly, SolidError> {
+    let orientations: Vec<_> = solids.iter().map(|solid| exact_columns(solid.body_from_solid)).collect();
+    put_together(solids, &orientations)
+}
+
+/// [`assemble`] with orientations by rotation vectors in degrees, which a matrix would round: 90° is a quarter turn exactly.
+///
+/// # Errors
+/// See [`assemble`]; also where there is not one rotation to each solid.
+pub fn assemble_turned(solids: &[Solid], rotations_deg: &[DVec3]) -> Result<Assembly, SolidError> {
+    if solids.len() != rotations_deg.len() {
+        return Err(SolidError::None);
+    }
+    let orientations: Vec<_> = rotations_deg.iter().map(|&vector| turned_columns(vector)).collect();
+    put_together(solids, &orientations)
+}
+
+type Columns = [[Dyadic; 3]; 3];
+
+fn exact_columns(matrix: DMat3) -> Columns {
+    [0, 1, 2].map(|i| matrix.col(i).to_array().map(Dyadic::from))
+}
+
+/// The rotation of a rotation vector in degrees, by its quaternion to 106 bits.
+fn turned_columns(rotation_deg: DVec3) -> Columns {
+    let largest = rotation_deg.abs().max_element();
+    if largest == 0.0 {
+        return exact_columns(DMat3::IDENTITY);
+    }
+    let vector = rotation_deg / power_of_two(largest);
+    let length =
+        vector.to_array().into_iter().fold(DoubleDouble::ZERO, |sum, x| sum + DoubleDouble::product(x, x)).sqrt();
+    let (sine, cosine) = so3::exact_sine_and_cosine(length.scaled(0.5 * power_of_two(largest)));
+    let [x, y, z] = vector.to_array().map(|component| Dyadic::from(sine / length * component));
+    principal::rotation([x, y, z, Dyadic::from(cosine)])
+}
+
+fn put_together(solids: &[Solid], orientations: &[Columns]) -> Result<Assembly, SolidError> {
     let first = solids.first().ok_or(SolidError::None)?;
     for solid in solids {
         solid.check()?;
     }
-    let mass: f64 = solids.iter().map(Solid::mass).sum();
-    // From the first solid, so that a body of one piece has its centre without rounding.
-    let offset: DVec3 = solids.iter().map(|solid| solid.mass() / mass * (solid.position - first.position)).sum();
-    let centre = first.position + offset;
-    let mut inertia = DMat3::ZERO;
-    for solid in solids {
-        let hat = so3::hat((solid.position - first.position) - offset);
-        inertia += solid.inertia() - hat * hat * solid.mass();
+    // Everything from the first solid, so that a body of one piece has its centre without rounding.
+    let origin = first.position.to_array().map(Dyadic::from);
+    let mut mass = Dyadic::default();
+    let mut moment = [Dyadic::default(), Dyadic::default(), Dyadic::default()];
+    let mut tensor: Tensor = Default::default();
+    for (solid, columns) in solids.iter().zip(orientations) {
+        let weight = solid.exact_mass();
+        let at = subtract(&solid.position.to_array().map(Dyadic::from), &origin);
+        let [x2, y2, z2] = solid.shape.exact_mean_squares();
+        let own = [&y2 + &z2, &z2 + &x2, &x2 + &y2];
+        for (entry, ((i, j), steiner)) in tensor.iter_mut().zip(ENTRIES.into_iter().zip(parallel_axes(&at))) {
+            let turned = (0..3).map(|k| &own[k] * &(&columns[k][i] * &columns[k][j]));
+            let all = turned.fold(steiner, |sum, term| &sum + &term);
+            *entry = &*entry + &(&weight * &all);
+        }
+        for (sum, x) in moment.iter_mut().zip(&at) {
+            *sum = &*sum + &(&weight * x);
+        }
+        mass = &mass + &weight;
     }
-    let body = Body::from_tensor(0.5 * inertia + 0.5 * inertia.transpose())?;
-    Ok(Assembly { mass, centre, body })
+    let inverse_mass = mass.reciprocal(LIMBS);
+    for (entry, steiner) in tensor.iter_mut().zip(parallel_axes(&moment)) {
+        *entry = (&*entry - &(&steiner * &inverse_mass)).rounded(LIMBS);
+    }
+    let [xx, yy, zz, xy, xz, yz] = tensor.each_ref().map(Dyadic::value);
+    let inertia = DMat3::from_cols_array(&[xx, xy, xz, xy, yy, yz, xz, yz, zz]);
+    if let Some(entry) = inertia.to_cols_array().into_iter().find(|entry| !entry.is_finite()) {
+        return Err(BodyError::NotFinite(entry).into());
+    }
+    let centre = [0, 1, 2].map(|i| (&origin[i] + &(&moment[i] * &inverse_mass)).value());
+    let body = Body::from_exact_tensor(inertia, &tensor)?;
+    Ok(Assembly { mass: mass.value(), centre: DVec3::from_array(centre), body })
+}
+
+/// The entries of a symmetric tensor in their order.
+const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+
+/// `d² 1 − d dᵀ`.
+fn parallel_axes(d: &[Dyadic; 3]) -> Tensor {
+    let square = dyadic::dot(d, d);
+    ENTRIES.map(|(i, j)| {
+        let product = &d[i] * &d[j];
+        if i == j { &square - &product } else { -product }
+    })
+}
+
+fn subtract(a: &[Dyadic; 3], b: &[Dyadic; 3]) -> [Dyadic; 3] {
+    [0, 1, 2].map(|i| &a[i] - &b[i])
+}
+
+impl Shape {
+    /// [`Shape::volume`] without rounding, but for π.
+    fn exact_volume(&self) -> Dyadic {
+        let [a, b, c] = self.sizes().map(Dyadic::from);
+        let product = &(&a * &b) * &c;
+        match self {
+            Self::Box { .. } => product,
+            Self::Cylinder { .. } => &product * &dyadic::pi(),
+            Self::Ellipsoid { .. } => (&(&product * &dyadic::pi()) * &Dyadic::ratio(4.0, 3.0, LIMBS)).rounded(LIMBS),
+        }
+    }
+
+    /// [`Shape::mean_squares`] to as many digits.
+    fn exact_mean_squares(&self) -> [Dyadic; 3] {
+        let square = |x: f64, divisor: f64| {
+            let x = Dyadic::from(x);
+            (&(&x * &x) * &Dyadic::ratio(1.0, divisor, LIMBS)).rounded(LIMBS)
+        };
+        match *self {
+            Self::Box { edges } => edges.to_array().map(|edge| square(edge, 12.0)),
+            Self::Cylinder { radius, length } => [square(radius, 4.0), square(radius, 4.0), square(length, 12.0)],
+            Self::Ellipsoid { semi_axes } => semi_axes.to_array().map(|axis| square(axis, 5.0)),
+        }
+    }
+}
+
+impl Solid {
+    fn exact_mass(&self) -> Dyadic {
+        &Dyadic::from(self.density) * &self.shape.exact_volume()
+    }
 }

@@ -3,9 +3,9 @@
 use glam::{DMat3, DQuat, DVec3};
 
 use super::value::shortened;
-use super::{CameraFile, Part, PartKind, SceneFile, View, nearest, parts};
+use super::{CameraFile, Part, PartKind, SceneFile, SpinFile, View, nearest, parts};
 use crate::physics::{
-    self, Body, BodyError, METHODS, Method, State, methods::DEFAULT_METHOD, number, solids::SolidError,
+    self, Body, BodyError, METHODS, Method, State, methods::DEFAULT_METHOD, number, so3, solids::SolidError,
 };
 
 /// Step (s) of a scene that names none.
@@ -167,7 +167,8 @@ fn check_body(file: &SceneFile) -> Result<(Body, Vec<Part>), SceneError> {
 
 fn check_start(file: &SceneFile, body: &Body) -> Result<State, SceneError> {
     let spin = &file.spin;
-    let omega = if let Some(omega) = spin.omega {
+    let world_from_body = check_attitude(spin.attitude)?;
+    let (start, velocity) = if let Some(omega) = spin.omega {
         let also =
             [("axis", spin.axis.is_some()), ("tilt_deg", spin.tilt_deg.is_some()), ("rate", spin.rate.is_some())];
         if let Some((name, _)) = also.into_iter().find(|(_, is_given)| *is_given) {
@@ -176,42 +177,45 @@ fn check_start(file: &SceneFile, body: &Body) -> Result<State, SceneError> {
         for component in omega {
             finite("omega", component)?;
         }
-        DVec3::from_array(omega)
+        (State::new(body, world_from_body, DVec3::from_array(omega)), DVec3::from_array(omega))
     } else {
-        let tilt = finite("tilt", spin.tilt_deg.unwrap_or(0.0))?;
-        if tilt.abs() > 180.0 {
-            return Err(SceneError::Number { name: "tilt", value: tilt, wanted: "between -180 and 180 degrees" });
-        }
-        let rate = finite("rate", spin.rate.unwrap_or(1.0))?;
-        let axis = spin.axis.unwrap_or(2);
-        let (along, towards) = match axis {
-            1 => (DVec3::X, DVec3::Y),
-            2 => (DVec3::Y, DVec3::Z),
-            3 => (DVec3::Z, DVec3::X),
-            other => return Err(SceneError::Axis(other)),
-        };
-        let (sine, cosine) = tilt.to_radians().sin_cos();
-        body.body_from_principal() * (rate * (cosine * along + sine * towards))
+        let velocity = axis_spin(spin)?;
+        (State::in_principal_frame(body, world_from_body, velocity), velocity)
     };
-    let world_from_body = match spin.attitude {
-        None => DMat3::IDENTITY,
-        Some([w, x, y, z]) => {
-            for component in [w, x, y, z] {
-                finite("attitude", component)?;
-            }
-            let largest = [w, x, y, z].into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
-            if largest == 0.0 {
-                return Err(SceneError::Number { name: "attitude", value: 0.0, wanted: "a quaternion that is not 0" });
-            }
-            let [w, x, y, z] = [w, x, y, z].map(|component| component / largest);
-            DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize())
-        }
-    };
-    let start = State::new(body, world_from_body, omega);
     if !(start.body_momentum.is_finite() && start.energy(body).is_finite()) {
-        return Err(SceneError::TooFast(omega.abs().max_element()));
+        return Err(SceneError::TooFast(velocity.abs().max_element()));
     }
     Ok(start)
+}
+
+/// The angular velocity (rad/s) along the principal axes of a spin about one of them, tilted towards the next.
+fn axis_spin(spin: &SpinFile) -> Result<DVec3, SceneError> {
+    let tilt = finite("tilt", spin.tilt_deg.unwrap_or(0.0))?;
+    if tilt.abs() > 180.0 {
+        return Err(SceneError::Number { name: "tilt", value: tilt, wanted: "between -180 and 180 degrees" });
+    }
+    let rate = finite("rate", spin.rate.unwrap_or(1.0))?;
+    let (along, towards) = match spin.axis.unwrap_or(2) {
+        1 => (DVec3::X, DVec3::Y),
+        2 => (DVec3::Y, DVec3::Z),
+        3 => (DVec3::Z, DVec3::X),
+        other => return Err(SceneError::Axis(other)),
+    };
+    let (sine, cosine) = so3::sine_and_cosine_of_degrees(tilt);
+    Ok(rate * (cosine * along + sine * towards))
+}
+
+fn check_attitude(attitude: Option<[f64; 4]>) -> Result<DMat3, SceneError> {
+    let Some([w, x, y, z]) = attitude else { return Ok(DMat3::IDENTITY) };
+    for component in [w, x, y, z] {
+        finite("attitude", component)?;
+    }
+    let largest = [w, x, y, z].into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+    if largest == 0.0 {
+        return Err(SceneError::Number { name: "attitude", value: 0.0, wanted: "a quaternion that is not 0" });
+    }
+    let [w, x, y, z] = [w, x, y, z].map(|component| component / largest);
+    Ok(DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize()))
 }
 
 fn check_view(file: &SceneFile) -> Result<View, SceneError> {

@@ -3,7 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use super::{SceneError, SolidFile};
-use crate::physics::solids::{Shape, Solid, assemble};
+use crate::physics::solids::{Shape, Solid, assemble_turned};
 use crate::physics::{Body, so3};
 
 /// Thinnest part drawn, as a fraction of its longest extent, where no solid has the moments.
@@ -44,7 +44,8 @@ impl Part {
 /// The body that solids make, and how they lie about its centre of mass.
 pub(super) fn of_solids(files: &[SolidFile]) -> Result<(Body, Vec<Part>), SceneError> {
     let solids: Vec<Solid> = files.iter().map(solid).collect::<Result<_, _>>()?;
-    let assembly = assemble(&solids)?;
+    let turns: Vec<DVec3> = files.iter().map(|file| DVec3::from_array(file.rotation_deg)).collect();
+    let assembly = assemble_turned(&solids, &turns)?;
     let parts = files
         .iter()
         .zip(&solids)

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use super::{Runner, Simulation};
-use crate::physics::{Motion, State, so3};
+use crate::physics::{Motion, State, motion, so3};
 
 /// Most samples kept; past that every second one goes, so that the beginning is never lost.
 const MOST: usize = 1200;
@@ -24,13 +24,9 @@ impl Errors {
     #[must_use]
     pub fn of(simulation: &Simulation, exact: &Motion, state: &State) -> Self {
         let (body, start, time) = (simulation.body(), simulation.start(), simulation.time());
-        let relative =
-            |difference: f64, reference: f64| if reference == 0.0 { difference } else { difference / reference };
-        let energy = start.energy(body);
-        let drift = state.world_momentum - start.world_momentum;
         Self {
-            energy: relative(state.energy(body) - energy, energy),
-            momentum: relative(so3::norm(drift), so3::norm(start.world_momentum)),
+            energy: motion::energy_error(body, start, state),
+            momentum: motion::momentum_error(start, state),
             attitude: so3::angle_between(exact.attitude(time), state.world_from_body),
         }
     }

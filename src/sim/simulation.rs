@@ -1,6 +1,6 @@
 //! A scene set in motion.
 
-use crate::physics::{Body, Integration, Method, MethodError, State};
+use crate::physics::{Body, Integration, Method, MethodError, State, motion};
 use crate::scene::Scene;
 
 use super::{Clock, Tick};
@@ -212,19 +212,12 @@ impl Simulation {
     /// Relative error of the energy since the start (absolute where the body was at rest).
     #[must_use]
     pub fn energy_error(&self) -> f64 {
-        let start = self.start.energy(&self.body);
-        let now = self.state().energy(&self.body);
-        relative(now - start, start)
+        motion::energy_error(&self.body, &self.start, self.state())
     }
 
-    /// Relative error of the world momentum since the start (absolute where the body was at rest).
+    /// Relative error of the world momentum since the start (absolute where the body was at rest), as attitude and body momentum have it.
     #[must_use]
     pub fn momentum_error(&self) -> f64 {
-        let start = self.start.world_momentum;
-        relative((self.state().world_momentum - start).length(), start.length())
+        motion::momentum_error(&self.start, self.state())
     }
-}
-
-fn relative(difference: f64, reference: f64) -> f64 {
-    if reference == 0.0 { difference } else { difference / reference }
 }

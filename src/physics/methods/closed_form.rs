@@ -40,9 +40,7 @@ impl ClosedForm {
 
     fn at(&self, time: f64) -> (DMat3, DVec3) {
         let (turned, momentum) = self.path.at(time);
-        let attitude =
-            self.principal_from_standard * DMat3::from_quat(turned) * self.principal_from_standard.transpose();
-        (attitude, self.principal_from_standard * momentum)
+        (DMat3::from_quat(turned), momentum)
     }
 }
 
@@ -58,6 +56,14 @@ impl Stepper for ClosedForm {
 
     fn momentum(&self) -> DVec3 {
         self.at(self.time).1
+    }
+
+    fn now(&self) -> (DMat3, DVec3) {
+        self.at(self.time)
+    }
+
+    fn principal_from_own(&self) -> DMat3 {
+        self.principal_from_standard
     }
 
     fn directly(&self, time: f64) -> Option<(DMat3, DVec3)> {

@@ -7,6 +7,7 @@ use glam::{DMat3, DQuat, DVec3};
 use super::{Dash, Failure, Hue, Keeps, Mark, Method, Order, Problem, Stepper};
 use crate::physics::exact::Path;
 use crate::physics::orbit::{Kind, Orbit};
+use crate::physics::so3;
 
 pub(super) const METHOD: Method = Method {
     name: "exact-step",
@@ -82,6 +83,16 @@ const NOTHING: DQuat = DQuat::from_xyzw(0.0, 0.0, 0.0, 0.0);
 struct ExactStep {
     path: Path,
     orbit: Orbit,
+    rounds: Rounds,
+    /// The time is `origin + count |step|`, so that no rounding piles up.
+    origin: f64,
+    count: i64,
+    calibration: Calibration,
+}
+
+/// What a step changes.
+#[derive(Clone)]
+struct Rounds {
     /// At the start of this round, of any length.
     attitude: DQuat,
     /// What the sum left out of the attitude.
@@ -94,10 +105,6 @@ struct ExactStep {
     lane: usize,
     /// Steps since the attitude had unit length, a round that was broken off counted as a whole one.
     steps_from_unit: usize,
-    /// The time is `origin + count |step|`, so that no rounding piles up.
-    origin: f64,
-    count: i64,
-    calibration: Calibration,
 }
 
 /// cn, sn and dn of several phases, and what the sums left out of the first two.
@@ -165,12 +172,14 @@ impl ExactStep {
         Self {
             path: Path::new(&orbit),
             orbit,
-            attitude: DQuat::IDENTITY,
-            attitude_rest: NOTHING,
-            turn: NOTHING,
-            lanes: Lanes::default(),
-            lane: 0,
-            steps_from_unit: 0,
+            rounds: Rounds {
+                attitude: DQuat::IDENTITY,
+                attitude_rest: NOTHING,
+                turn: NOTHING,
+                lanes: Lanes::default(),
+                lane: 0,
+                steps_from_unit: 0,
+            },
             origin: 0.0,
             count: 0,
             calibration: Calibration { step: 0.0, constants: None },
@@ -184,21 +193,25 @@ impl ExactStep {
     /// In units of the orbit.
     fn standard_momentum(&self) -> DVec3 {
         let Some(constants) = &self.calibration.constants else { return self.path.momentum(self.time()) };
-        self.path.momentum_of(constants.half_back.add(self.lanes.get(self.lane)))
+        self.path.momentum_of(constants.half_back.add(self.rounds.lanes.get(self.rounds.lane)))
     }
 
     /// The attitude, turned the shortest way so that it takes M to L: the two recurrences drift apart by their rounding, and
     /// this leaves of it only what turns about L.
-    fn upright(&self) -> DQuat {
+    fn upright(&self, momentum: DVec3) -> DQuat {
         let ell = self.orbit.ell.value();
-        let attitude = (self.attitude + (self.attitude * self.turn + self.attitude_rest)).normalize();
+        let rounds = &self.rounds;
+        let attitude = rounds.attitude + (rounds.attitude * rounds.turn + rounds.attitude_rest);
         if ell == 0.0 {
-            return attitude;
+            return attitude.normalize();
         }
-        let now = attitude * (self.standard_momentum() / ell);
-        let start = self.orbit.momentum / ell;
+        // All of it times ℓ² and the squared length of the attitude; what is left is brought to unit length once.
+        let unit = attitude.length_squared();
+        let now = so3::rotate_scaled(attitude, momentum);
+        let start = self.orbit.momentum;
         let axis = now.cross(start);
-        (DQuat::from_xyzw(axis.x, axis.y, axis.z, 1.0 + now.dot(start)) * attitude).normalize()
+        let upright = DQuat::from_xyzw(axis.x, axis.y, axis.z, unit * ell * ell + now.dot(start));
+        (upright * attitude).normalize()
     }
 
     fn calibrate(&mut self, step: f64) {
@@ -216,10 +229,33 @@ impl ExactStep {
         if self.orbit.complementary_modulus < SMALLEST && comes_back {
             self.calibration.constants = None;
         }
-        self.lane = 0;
-        self.end_turn();
+        self.rounds.lane = 0;
+        self.rounds.end_turn();
         for lane in 0..LANES {
-            self.lanes.set(lane, self.path.functions(now + (lane as f64 + 0.5) * step));
+            self.rounds.lanes.set(lane, self.path.functions(now + (lane as f64 + 0.5) * step));
+        }
+    }
+}
+
+impl Rounds {
+    fn advance(&mut self, constants: &Constants, count: u64) {
+        let mut left = count;
+        while left > 0 {
+            if self.lane == 0 && left >= LANES as u64 {
+                for lane in 0..LANES {
+                    self.turn(constants, lane);
+                }
+                self.next_round(constants);
+                left -= LANES as u64;
+                continue;
+            }
+            self.turn(constants, self.lane);
+            self.lane += 1;
+            if self.lane == LANES {
+                self.lane = 0;
+                self.next_round(constants);
+            }
+            left -= 1;
         }
     }
 
@@ -270,39 +306,31 @@ impl Stepper for ExactStep {
         self.calibrate(step);
         let signed = count.min(i64::MAX as u64).cast_signed();
         self.count += if step < 0.0 { -signed } else { signed };
-        let Some(constants) = self.calibration.constants else {
-            self.attitude = self.path.at(self.time()).0;
-            self.attitude_rest = NOTHING;
-            return Ok(());
-        };
-        let mut left = count;
-        while left > 0 {
-            if self.lane == 0 && left >= LANES as u64 {
-                for lane in 0..LANES {
-                    self.turn(&constants, lane);
-                }
-                self.next_round(&constants);
-                left -= LANES as u64;
-                continue;
+        match &self.calibration.constants {
+            Some(constants) => self.rounds.advance(constants, count),
+            None => {
+                self.rounds.attitude = self.path.at(self.time()).0;
+                self.rounds.attitude_rest = NOTHING;
             }
-            self.turn(&constants, self.lane);
-            self.lane += 1;
-            if self.lane == LANES {
-                self.lane = 0;
-                self.next_round(&constants);
-            }
-            left -= 1;
         }
         Ok(())
     }
 
     fn attitude(&self) -> DMat3 {
-        let principal_from_standard = self.orbit.principal_from_standard;
-        principal_from_standard * DMat3::from_quat(self.upright()) * principal_from_standard.transpose()
+        self.now().0
     }
 
     fn momentum(&self) -> DVec3 {
-        self.orbit.principal_from_standard * self.standard_momentum()
+        self.standard_momentum()
+    }
+
+    fn now(&self) -> (DMat3, DVec3) {
+        let momentum = self.standard_momentum();
+        (DMat3::from_quat(self.upright(momentum)), momentum)
+    }
+
+    fn principal_from_own(&self) -> DMat3 {
+        self.orbit.principal_from_standard
     }
 
     fn duplicate(&self) -> Box<dyn Stepper> {

@@ -48,6 +48,9 @@ pub struct Integration {
     /// Two factors that take seconds to the units of the stepper.
     units_from_seconds: [f64; 2],
     stepper: Box<dyn Stepper>,
+    /// From the stepper's frame to the body's, and at the start to the world's.
+    body_from_stepper: DMat3,
+    world_from_stepper: DMat3,
 }
 
 impl Clone for Integration {
@@ -73,6 +76,8 @@ impl Integration {
             momentum: exact.rounded_momentum(),
             start: Start { moment_exponent: 0, rate_exponent: 0, ..exact },
         };
+        let stepper = (method.start)(&problem);
+        let body_from_stepper = body.body_from_principal() * stepper.principal_from_own();
         Self {
             method,
             body: *body,
@@ -81,7 +86,9 @@ impl Integration {
             steps: 0,
             momentum_unit: power_of_two_of(exact.moment_exponent + exact.rate_exponent),
             units_from_seconds: power_of_two_of(exact.rate_exponent),
-            stepper: (method.start)(&problem),
+            stepper,
+            body_from_stepper,
+            world_from_stepper: start.world_from_body * body_from_stepper,
         }
     }
 
@@ -151,7 +158,7 @@ impl Integration {
         }
         let mut last = self.stepper.duplicate();
         last.advance(self.in_units(time - whole * self.step), 1).map_err(|f| self.error(f))?;
-        Ok(self.state_of(last.attitude(), last.momentum()))
+        Ok(self.state_of(last.now()))
     }
 
     /// The state now.
@@ -160,12 +167,12 @@ impl Integration {
         if self.steps == 0 {
             return self.start;
         }
-        self.directly(self.time()).unwrap_or_else(|| self.state_of(self.stepper.attitude(), self.stepper.momentum()))
+        self.directly(self.time()).unwrap_or_else(|| self.state_of(self.stepper.now()))
     }
 
     fn directly(&self, time: f64) -> Option<State> {
-        let (attitude, momentum) = self.stepper.directly(self.in_units(time))?;
-        Some(if time == 0.0 { self.start } else { self.state_of(attitude, momentum) })
+        let moved = self.stepper.directly(self.in_units(time))?;
+        Some(if time == 0.0 { self.start } else { self.state_of(moved) })
     }
 
     /// A time (s) in the units of the stepper: exact, as these are powers of two.
@@ -181,11 +188,9 @@ impl Integration {
         }
     }
 
-    fn state_of(&self, attitude: DMat3, momentum: DVec3) -> State {
-        let body_from_principal = self.body.body_from_principal();
-        let start_from_now = body_from_principal * attitude * body_from_principal.transpose();
-        let world_from_body = self.start.world_from_body * start_from_now;
-        let body_momentum = body_from_principal * (momentum * self.momentum_unit[0] * self.momentum_unit[1]);
+    fn state_of(&self, (attitude, momentum): (DMat3, DVec3)) -> State {
+        let world_from_body = self.world_from_stepper * attitude * self.body_from_stepper.transpose();
+        let body_momentum = self.body_from_stepper * (momentum * self.momentum_unit[0] * self.momentum_unit[1]);
         let world_momentum = if self.method.keeps_momentum == Keeps::Exactly {
             self.start.world_momentum
         } else {

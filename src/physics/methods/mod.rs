@@ -87,6 +87,16 @@ pub trait Stepper: Send {
     /// Momentum in the principal frame.
     fn momentum(&self) -> DVec3;
 
+    /// Both at once, for those that need the one for the other.
+    fn now(&self) -> (DMat3, DVec3) {
+        (self.attitude(), self.momentum())
+    }
+
+    /// The frame that takes the place of the principal one in what it says, where that is another: a rotation that never changes.
+    fn principal_from_own(&self) -> DMat3 {
+        DMat3::IDENTITY
+    }
+
     /// Attitude and momentum at a time from the start, of a method that needs no steps to get there.
     fn directly(&self, _time: f64) -> Option<(DMat3, DVec3)> {
         None
