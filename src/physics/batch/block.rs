@@ -123,7 +123,7 @@ impl Block {
 
     /// Brings the attitudes back to a length near 1 by powers of two, which round nothing.
     #[inline(always)]
-    pub(super) fn to_unit(&mut self) {
+    pub(super) fn restore_length(&mut self) {
         for group in self.groups.iter_mut() {
             for lane in 0..GROUP {
                 let largest = group.attitude.iter().fold(0.0, |largest: f64, column| largest.max(column.0[lane].abs()));

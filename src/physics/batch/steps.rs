@@ -21,7 +21,8 @@ pub(super) struct Steps {
     /// The time is `origin + count |step|`, so that no rounding piles up.
     origin: f64,
     count: i64,
-    steps_from_unit: u32,
+    /// Steps since the attitudes had a length near 1.
+    since_unit: u32,
     blocks: Vec<Block>,
     places: Vec<Place>,
 }
@@ -42,7 +43,7 @@ impl Default for Steps {
             step: 0.0,
             origin: 0.0,
             count: 0,
-            steps_from_unit: 0,
+            since_unit: 0,
             blocks: Vec::new(),
             places: Vec::new(),
         }
@@ -66,11 +67,11 @@ impl Steps {
         }
         let signed = count.min(i64::MAX as u64).cast_signed();
         self.count += if step < 0.0 { -signed } else { signed };
-        let first = self.steps_from_unit;
+        let first = self.since_unit;
         for block in &mut self.blocks {
             dispatch!(self.level, simd => run(simd, block, first, count));
         }
-        self.steps_from_unit = ((u64::from(first) + count) % u64::from(STEPS_TO_UNIT)) as u32;
+        self.since_unit = ((u64::from(first) + count) % u64::from(STEPS_TO_UNIT)) as u32;
     }
 
     /// Puts every body where steps of this length are taken with it.
@@ -113,13 +114,11 @@ impl Steps {
     }
 
     fn attitude(&self, members: &[Member], index: usize) -> Attitude {
-        match self.places.get(index) {
-            Some(Place::Lane { block, lane, .. }) => self.blocks[*block].attitude(*lane),
-            _ => {
-                let turned = members[index].motion.path().at(self.time()).0;
-                Attitude { value: turned.to_array(), rest: [0.0; 4] }
-            }
+        if let Some(Place::Lane { block, lane, .. }) = self.places.get(index) {
+            return self.blocks[*block].attitude(*lane);
         }
+        let turned = members[index].motion.path().at(self.time()).0;
+        Attitude { value: turned.to_array(), rest: [0.0; 4] }
     }
 
     /// The state of a body.
@@ -150,7 +149,7 @@ fn run<S: fearless_simd::Simd>(simd: S, block: &mut Block, first: u32, count: u6
         left -= u64::from(steps);
         since += steps;
         if since == STEPS_TO_UNIT {
-            block.to_unit();
+            block.restore_length();
             since = 0;
         }
     }
