@@ -3,6 +3,7 @@
 //! Conventions: `R = world_from_body`; body angular velocity `Ω`, world `ω = RΩ`; body momentum `M = IΩ`, world
 //! momentum `L = RM`, constant; energy `K = ½ M·I⁻¹M`. SI units and radians.
 
+pub mod batch;
 pub mod body;
 mod double_double;
 mod dyadic;
@@ -18,6 +19,7 @@ pub mod so3;
 pub mod solids;
 mod start;
 
+pub use batch::Batch;
 pub use body::{Body, BodyError};
 pub use exact::Motion;
 pub use methods::{Integration, METHODS, Method, MethodError, method};

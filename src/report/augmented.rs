@@ -3,10 +3,11 @@
 //! Three mean velocities of a step, otherwise the same method: `Ω̄ = Ω + h/2 α + s h²/12 α×Ω` with s = 0, +1 (the notes and
 //! Buss' paper) and −1, over many random bodies that start at random.
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DQuat};
 use serde::Serialize;
 
 use super::fit::quantile;
+use super::random::Random;
 use crate::physics::{Body, Motion, State, so3};
 
 /// Angle a step (rad).
@@ -61,12 +62,12 @@ pub struct Variant {
 /// Runs the experiment on so many bodies.
 #[must_use]
 pub fn measure(bodies: usize) -> Augmented {
-    let mut random = Random(SEED);
+    let mut random = Random::new(SEED);
     // By horizon and variant, one error a body.
     let mut errors: [[Vec<f64>; 3]; 3] = Default::default();
     let mut count = 0;
     while count < bodies {
-        let Some((body, start)) = random.body_in_motion() else { continue };
+        let (body, start) = random.body_in_motion();
         count += 1;
         let step = ANGLE / so3::norm(start.body_angular_velocity(&body));
         let motion = Motion::new(&body, &start);
@@ -142,37 +143,6 @@ fn run(body: &Body, start: &State, step: f64, sign: f64) -> [DMat3; 3] {
         }
         DMat3::from_quat(attitude)
     })
-}
-
-/// `SplitMix64` (Steele, Lea & Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Evenly in `low..high`.
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * ((self.next() >> 11) as f64 * f64::EPSILON * 0.5)
-    }
-
-    /// A box with edges between 0.1 and 1 m, turning about a random direction of momentum.
-    fn body_in_motion(&mut self) -> Option<(Body, State)> {
-        let edges = DVec3::new(self.between(0.1, 1.0), self.between(0.1, 1.0), self.between(0.1, 1.0));
-        let side = DVec3::new(self.between(-1.0, 1.0), self.between(-1.0, 1.0), self.between(-1.0, 1.0));
-        if side.length_squared() > 1.0 || side.length_squared() < 1e-3 {
-            return None;
-        }
-        // The box's moments in ascending order, so that body and principal frame are one.
-        let moments = Body::solid_box(edges, 12.0).ok()?.principal_moments();
-        let body = Body::from_moments(moments).ok()?;
-        let start = State::new(&body, DMat3::IDENTITY, side.normalize() / moments);
-        Some((body, start))
-    }
 }
 
 #[cfg(test)]

@@ -124,7 +124,7 @@ fn made_up(generic: &Case) -> Vec<Case> {
 }
 
 /// `κε`: how far a rounding of the start moves the attitude up to a time, at the worst moment (rad).
-fn rounding(case: &Case, time: f64) -> f64 {
+pub(super) fn rounding(case: &Case, time: f64) -> f64 {
     let times = (1..=MOMENTS).map(|i| time * (f64::from(i) / f64::from(MOMENTS)));
     let truth: Vec<(f64, DMat3)> = times.map(|time| (time, case.motion.attitude(time))).collect();
     let momentum = case.start.body_momentum;

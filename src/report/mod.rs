@@ -4,14 +4,18 @@
 //! Methods are read from [`crate::physics::METHODS`]: a new row there is measured with no change here.
 
 pub mod augmented;
+pub mod batch;
 pub mod cases;
 pub mod cost;
+pub mod distribution;
 pub mod fit;
 pub mod hard;
 pub mod long_run;
 pub mod machine;
 pub mod order;
 pub mod peers;
+mod random;
+pub mod separatrix;
 pub mod stability;
 pub mod timing;
 pub mod work_precision;
@@ -20,13 +24,16 @@ pub mod write;
 use serde::Serialize;
 
 use augmented::Augmented;
+use batch::BatchCost;
 use cases::Case;
 use cost::Cost;
+use distribution::Distribution;
 use hard::HardRow;
 use long_run::LongRun;
 use machine::Machine;
 use order::OrderRow;
 use peers::{Beside, Peer};
+use separatrix::BesideSeparatrix;
 use stability::Stability;
 use work_precision::Row;
 
@@ -79,6 +86,10 @@ pub struct Effort {
     pub long_time: f64,
     /// Random bodies in the experiment on the augmented term.
     pub bodies: usize,
+    /// Random bodies whose errors are looked at, and steps that each of them takes.
+    pub spread: (usize, u32),
+    /// Starts in a batch that goes to any time.
+    pub starts: usize,
 }
 
 impl Effort {
@@ -95,6 +106,8 @@ impl Effort {
             most_hard_steps: 1e5,
             long_time: 5e5,
             bodies: 400,
+            spread: (10_000, 100),
+            starts: 100_000,
         }
     }
 
@@ -111,6 +124,8 @@ impl Effort {
             most_hard_steps: 1e6,
             long_time: 1e6,
             bodies: 4000,
+            spread: (10_000, 400),
+            starts: 100_000,
         }
     }
 }
@@ -153,6 +168,12 @@ pub struct Report {
     pub stability: Vec<Stability>,
     /// Errors over a long time.
     pub long_run: Vec<LongRun>,
+    /// Errors over random bodies.
+    pub distributions: Vec<Distribution>,
+    /// Starts beside the separatrix.
+    pub separatrix: Vec<BesideSeparatrix>,
+    /// Many bodies at a time.
+    pub batch: BatchCost,
     /// The experiment on the augmented term.
     pub augmented: Augmented,
     /// Other programs' points beside the ones here.
@@ -201,6 +222,12 @@ pub fn measure(
         progress("a hundred thousand turns", 0.67 + 0.23 * share);
     });
     let hard = hard::measure(effort, |name| progress(&format!("hard case: {name}"), 0.92))?;
+    progress("ten thousand bodies", 0.94);
+    let distributions = distribution::measure(effort.spread.0, effort.spread.1);
+    progress("beside the separatrix", 0.96);
+    let separatrix = separatrix::measure(flipping);
+    progress("many at a time", 0.97);
+    let batch = batch::measure(effort);
     progress("the augmented term", 0.98);
     let augmented = augmented::measure(effort.bodies);
     progress("done", 1.0);
@@ -215,6 +242,9 @@ pub fn measure(
         cost,
         stability,
         long_run,
+        distributions,
+        separatrix,
+        batch,
         augmented,
         peers,
     })
@@ -245,6 +275,8 @@ mod tests {
             most_hard_steps: 2e4,
             long_time: 1e3,
             bodies: 20,
+            spread: (30, 40),
+            starts: 100,
             ..Effort::quick()
         }
     }

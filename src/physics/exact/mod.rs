@@ -49,17 +49,40 @@ impl Motion {
     /// Prepares the motion of a body from its state at time 0.
     #[must_use]
     pub fn new(body: &Body, start: &State) -> Self {
+        Self::with_orbit(body, start).0
+    }
+
+    /// The same with the orbit on which it lies.
+    pub(crate) fn with_orbit(body: &Body, start: &State) -> (Self, Orbit) {
         let orbit = Orbit::new(&Start::new(body, start));
         let body_from_orbit = body.body_from_principal() * orbit.principal_from_standard;
         let path = Path::new(&orbit);
         let start_inverse = DMat3::from_quat(path.start_inverse());
-        Self {
+        let motion = Self {
             path,
             start: *start,
             world_from_start: start.world_from_body * body_from_orbit * start_inverse,
             orbit_from_body: body_from_orbit.transpose(),
             body_from_orbit: orbit.to_momentum(body_from_orbit),
-        }
+        };
+        (motion, orbit)
+    }
+
+    /// The motion on its orbit, without the frames of body and world.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The state that a rotation since the start and a momentum, both in the orbit's frame and units, amount to.
+    pub(crate) fn state_of(&self, start_from_now: DMat3, momentum: DVec3) -> State {
+        let world_from_orbit = self.start.world_from_body * self.orbit_from_body.transpose();
+        let world_from_body = world_from_orbit * (start_from_now * self.orbit_from_body);
+        State::from_parts(world_from_body, self.body_from_orbit * momentum, self.start.world_momentum)
+    }
+
+    /// The state at time 0.
+    pub(crate) fn start(&self) -> &State {
+        &self.start
     }
 
     /// Attitude `R`, `world_from_body`, and body momentum `M` (kg m²/s) at a time (s).

@@ -137,33 +137,50 @@ struct Constants {
 }
 
 /// cn, sn, dn of what is to be added to a phase, in the products in which they are needed.
-#[derive(Clone, Copy)]
-struct Increment {
-    cn: f64,
-    sn: f64,
-    cn_dn: f64,
-    sn_dn: f64,
-    cn_squared: f64,
-    sn_squared: f64,
-    dn_squared: f64,
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Increment {
+    pub(crate) cn: f64,
+    pub(crate) sn: f64,
+    pub(crate) cn_dn: f64,
+    pub(crate) sn_dn: f64,
+    pub(crate) cn_squared: f64,
+    pub(crate) sn_squared: f64,
+    pub(crate) dn_squared: f64,
     /// `k′² sn²`.
-    least: f64,
+    pub(crate) least: f64,
     /// `k²` and `k′²`.
-    k2: f64,
-    k1_2: f64,
+    pub(crate) k2: f64,
+    pub(crate) k1_2: f64,
 }
 
 /// The same for an increment of [`SHORT`] at most: all of these are as small as it, with a small relative error.
 #[derive(Clone, Copy)]
-struct ShortIncrement {
-    sn: f64,
-    sn_dn: f64,
+pub(crate) struct ShortIncrement {
+    pub(crate) sn: f64,
+    pub(crate) sn_dn: f64,
     /// `k² sn²`, `1 − cn` and `1 − cn dn`.
-    squared: f64,
-    beyond_cn: f64,
-    beyond_cn_dn: f64,
-    k2: f64,
-    k1_2: f64,
+    pub(crate) squared: f64,
+    pub(crate) beyond_cn: f64,
+    pub(crate) beyond_cn_dn: f64,
+    pub(crate) k2: f64,
+    pub(crate) k1_2: f64,
+}
+
+/// The rotation of a step, for steps of any number at a time.
+pub(crate) struct StepRotation {
+    /// `p₀ − 1` and `(p₁, p₂, p₃)`.
+    pub(crate) scalar: f64,
+    pub(crate) weights: DVec3,
+    /// Half of what a step adds to the phase: [cn, sn, dn].
+    half: [f64; 3],
+    /// Whether the turn is below [`SHORT`].
+    pub(crate) is_short: bool,
+}
+
+/// Whether an orbit can be stepped along from where dn is the given one: its squares do not underflow.
+pub(crate) fn can_step(orbit: &Orbit, dn: f64) -> bool {
+    let comes_back = orbit.kind == Kind::Circling || dn < SMALLEST;
+    !(orbit.complementary_modulus < SMALLEST && comes_back)
 }
 
 impl ExactStep {
@@ -225,8 +242,7 @@ impl ExactStep {
         self.calibration.step = step;
         let now = self.time();
         self.calibration = Calibration::new(&self.orbit, &self.path, step);
-        let comes_back = self.orbit.kind == Kind::Circling || self.path.functions(now)[2] < SMALLEST;
-        if self.orbit.complementary_modulus < SMALLEST && comes_back {
+        if !can_step(&self.orbit, self.path.functions(now)[2]) {
             self.calibration.constants = None;
         }
         self.rounds.lane = 0;
@@ -373,7 +389,7 @@ impl Lanes {
 }
 
 impl Increment {
-    fn new(orbit: &Orbit, [cn, sn, dn]: [f64; 3]) -> Self {
+    pub(crate) fn new(orbit: &Orbit, [cn, sn, dn]: [f64; 3]) -> Self {
         let (k2, k1_2) = (orbit.modulus.powi(2), orbit.complementary_modulus.powi(2));
         Self {
             cn,
@@ -397,7 +413,7 @@ impl Increment {
     /// brought back to their circle to first order, and dn is taken from `dn² = k′² + k² cn²`, relatively exact however
     /// small it is: by a recurrence of its own it would leave that curve exponentially.
     #[inline]
-    fn add(&self, [c, s, d]: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn add(&self, [c, s, d]: [f64; 3]) -> [f64; 3] {
         let inverse = 1.0 / (self.cn_squared + self.sn_squared * (d * d));
         let (minuend, subtrahend) = (c * self.cn, (s * d) * self.sn_dn);
         let difference = (c * c) * self.dn_squared - self.least;
@@ -411,7 +427,7 @@ impl Increment {
 }
 
 impl ShortIncrement {
-    fn new(orbit: &Orbit, [cn, sn, dn]: [f64; 3]) -> Self {
+    pub(crate) fn new(orbit: &Orbit, [cn, sn, dn]: [f64; 3]) -> Self {
         let (k2, k1_2) = (orbit.modulus.powi(2), orbit.complementary_modulus.powi(2));
         let squared = k2 * (sn * sn);
         let beyond_cn = sn * sn / (1.0 + cn);
@@ -434,7 +450,7 @@ impl ShortIncrement {
     }
 }
 
-impl Calibration {
+impl StepRotation {
     /// Finds F from the step that is symmetric about `u = 0`, from −w to w, and from `Ĩ⁻¹ = αI⁻¹ + β`.
     ///
     /// Its rotation is `P(−w)ᵀ R_z(ψ) P(w)`, by the shortest rotations P that take M to axis 3:
@@ -442,8 +458,9 @@ impl Calibration {
     /// `(c, s)` cosine and sine of `ψ/2 = ∫₀^w ψ̇ du/λ`. There `D = 1`, so that `p₀ = f₀`, `p₁ = f₁`, `p₃ = f₃`. The change of M in a step
     /// gives `α = f₀² sn w/(w cn w dn w)`, f₁ and f₃ give β, and both give p₂. Everything that a step adds up comes out
     /// with a small relative error: ψ by quadrature of the positive ψ̇, not as a difference of phases.
-    fn new(orbit: &Orbit, path: &Path, step: f64) -> Self {
-        let closed = Self { step, constants: None };
+    ///
+    /// `None` where the closed form is to take the step.
+    pub(crate) fn new(orbit: &Orbit, path: &Path, step: f64) -> Option<Self> {
         let rate = orbit.rate.value();
         let (b, i) = (orbit.amplitudes * DVec3::new(1.0, orbit.handedness, 1.0), orbit.moments);
         // |Ω|² is linear in sn²: largest at one of the two ends of a quarter period.
@@ -452,7 +469,7 @@ impl Calibration {
         let turn = at_0.max(at_quarter).max(rate) * step.abs();
         // Not so for a turn that is not a number.
         if !(rate > 0.0 && turn < LARGEST_TURN && turn > 0.0) {
-            return closed;
+            return None;
         }
         let w = 0.5 * rate * step;
         let [cn, sn, dn] = path.functions_at_phase(w);
@@ -469,17 +486,33 @@ impl Calibration {
         let beta = (b.x * both.x + b.z * both.z) / (b.x * b.x + b.z * b.z);
         let weights = DVec3::new(f1, 0.5 * step * b.y * (alpha / i.y + beta), f3);
         // Where the step is short the length of F is chosen so that nothing is left of `p₀ − 1` to be rounded.
-        let round = LANES as f64 * rate * step;
-        let increment = path.functions_at_phase(round);
         let is_short = turn < SHORT;
-        let constants = Constants {
-            scalar: if is_short { 0.0 } else { f0 - 1.0 },
-            weights: if is_short { weights / f0 } else { weights },
-            round: Increment::new(orbit, increment),
-            short_round: (round.abs() < SHORT).then(|| ShortIncrement::new(orbit, increment)),
-            half_back: Increment::new(orbit, [cn, -sn, dn]),
-        };
-        if weights.is_finite() && f0.is_finite() { Self { constants: Some(constants), ..closed } } else { closed }
+        let (scalar, weights) = if is_short { (0.0, weights / f0) } else { (f0 - 1.0, weights) };
+        (weights.is_finite() && f0.is_finite()).then_some(Self { scalar, weights, half: [cn, sn, dn], is_short })
+    }
+
+    /// What is to be added to the phase halfway through a step for that at its start.
+    pub(crate) fn half_back(&self, orbit: &Orbit) -> Increment {
+        let [cn, sn, dn] = self.half;
+        Increment::new(orbit, [cn, -sn, dn])
+    }
+
+    /// What adds this to a phase, and the same in small quantities where it is short.
+    pub(crate) fn increment(orbit: &Orbit, path: &Path, phase: f64) -> (Increment, Option<ShortIncrement>) {
+        let functions = path.functions_at_phase(phase);
+        let short = (phase.abs() < SHORT).then(|| ShortIncrement::new(orbit, functions));
+        (Increment::new(orbit, functions), short)
+    }
+}
+
+impl Calibration {
+    fn new(orbit: &Orbit, path: &Path, step: f64) -> Self {
+        let constants = StepRotation::new(orbit, path, step).map(|rotation| {
+            let (round, short_round) = StepRotation::increment(orbit, path, LANES as f64 * orbit.rate.value() * step);
+            let StepRotation { scalar, weights, .. } = rotation;
+            Constants { scalar, weights, round, short_round, half_back: rotation.half_back(orbit) }
+        });
+        Self { step, constants }
     }
 }
 

@@ -25,6 +25,7 @@ use glam::{DMat3, DVec3};
 
 use super::start::Start;
 
+pub(crate) use exact_step::{Increment, ShortIncrement, StepRotation, can_step};
 pub use integration::{Integration, MethodError};
 pub use sign::{Dash, Hue, Mark};
 

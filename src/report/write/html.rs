@@ -82,6 +82,9 @@ fn parts(report: &Report) -> Vec<(&'static str, &'static str, String)> {
         ("long-run", "A hundred thousand turns", long_run(report)),
         ("large-steps", "Large steps", large_steps(report)),
         ("hard", "Hard cases", sections::hard(report)),
+        ("many-bodies", "Ten thousand bodies", many_bodies(report)),
+        ("separatrix", "Beside the separatrix", separatrix(report)),
+        ("batch", "Many at a time", sections::batch(report)),
         ("augmented", "The augmented term", augmented(report)),
         ("cases", "What was measured, and how", sections::cases(report)),
     ]);
@@ -213,6 +216,20 @@ fn large_steps(report: &Report) -> String {
     sections::LARGE_STEPS.to_owned()
         + &figure(&plots::large_steps(report).inline(), caption)
         + &sections::large_steps(report)
+}
+
+fn many_bodies(report: &Report) -> String {
+    let caption = "Each curve tells on what share of the bodies the error is below that. A curve to the left is a better method; one that \
+                   is steep does not depend on the body.";
+    sections::MANY_BODIES.to_owned()
+        + &figure(&plots::many_bodies(report).inline(), caption)
+        + &sections::many_bodies(report)
+}
+
+fn separatrix(report: &Report) -> String {
+    let caption = "The line without marks is how far an ulp of the start moves the answer itself, up to then: what a method adds below it \
+                   cannot be seen in any motion that was measured or rounded. A method that lies far below still follows the start as it is given, bit for bit.";
+    sections::SEPARATRIX.to_owned() + &figure(&plots::separatrix(report).inline(), caption)
 }
 
 fn augmented(report: &Report) -> String {

@@ -5,6 +5,7 @@ use super::svg::{Axis, Guide, Look, Plot, SIZE, SMALL, Scale, Series};
 use crate::physics::METHODS;
 use crate::report::cases::Errors;
 use crate::report::long_run::{INVARIANT_LOST, LOST};
+use crate::report::separatrix::BesideSeparatrix;
 use crate::report::{CaseRow, Report, is_direct};
 
 /// Smallest error drawn: anything below lies on the axis.
@@ -52,6 +53,8 @@ pub fn all(report: &Report) -> Vec<(String, Drawing)> {
         add(format!("long-run-{name}"), plot);
     }
     add("large-steps".to_owned(), large_steps(report));
+    add("many-bodies".to_owned(), many_bodies(report));
+    add("separatrix".to_owned(), separatrix(report));
     add("augmented-term".to_owned(), augmented(report));
     plots.push(("cost".to_owned(), Drawing::Bars(bars::cost(report))));
     plots
@@ -244,6 +247,64 @@ pub fn large_steps(report: &Report) -> Plot {
     Plot { title: "Large steps".to_owned(), x, y, series, guides: Vec::new(), size: SIZE }
 }
 
+/// Points of a distribution, few enough to draw: each value with the share of the values below it.
+fn shares(values: &[f64]) -> Vec<(f64, f64)> {
+    let stride = values.len().div_ceil(DISTRIBUTION_POINTS).max(1);
+    let places = values.iter().enumerate().step_by(stride);
+    places.map(|(i, value)| (*value, (i as f64 + 0.5) / values.len() as f64)).collect()
+}
+
+/// How the errors of each method are spread over random bodies.
+#[must_use]
+pub fn many_bodies(report: &Report) -> Plot {
+    let series: Vec<Series> = report
+        .distributions
+        .iter()
+        .map(|row| {
+            let points = shares(&row.errors).into_iter().map(|(error, share)| (error.max(SMALLEST_ERROR), share));
+            Series { has_markers: false, ..method_series(row.method, points.collect()) }
+        })
+        .collect();
+    let first = report.distributions.first();
+    let (bodies, turned) = first.map_or((0, 0.0), |row| (row.bodies, row.turned));
+    let errors = series.iter().flat_map(|series| series.points.iter().map(|point| point.0));
+    Plot {
+        title: format!("{bodies} bodies after {turned:.0} rad"),
+        x: Axis::decades("attitude error (rad)", errors, (1e-14, 1.0)),
+        y: Axis { label: "share of the bodies below".to_owned(), scale: Scale::Percent, range: (0.0, 1.0) },
+        series,
+        guides: Vec::new(),
+        size: SIZE,
+    }
+}
+
+/// Errors against the distance from the separatrix, and what an ulp of the start comes to there.
+#[must_use]
+pub fn separatrix(report: &Report) -> Plot {
+    let rows = &report.separatrix;
+    let mut series: Vec<Series> = METHODS
+        .iter()
+        .map(|method| {
+            let error = |row: &BesideSeparatrix| {
+                let own = row.errors.iter().find(|error| error.method == method.name)?;
+                Some((row.tilt, own.attitude_error?.max(SMALLEST_ERROR)))
+            };
+            method_series(method.name, rows.iter().filter_map(error).collect())
+        })
+        .collect();
+    let ulp = rows.iter().map(|row| (row.tilt, row.an_ulp)).collect();
+    series.push(Series { has_markers: false, ..Series::new("an ulp of the start", Look::Page("ink"), ulp) });
+    let t = rows.first().map_or(0.0, |row| row.t);
+    Plot {
+        title: format!("Beside the separatrix: {t} s from ever smaller tilts"),
+        x: Axis::decades("tilt from the middle axis (rad)", rows.iter().map(|row| row.tilt), (1e-15, 1.0)),
+        y: errors_axis("attitude error (rad)", &series),
+        series,
+        guides: Vec::new(),
+        size: SIZE,
+    }
+}
+
 /// The distribution of the error's ratio to plain second order.
 #[must_use]
 pub fn augmented(report: &Report) -> Plot {
@@ -252,12 +313,9 @@ pub fn augmented(report: &Report) -> Plot {
     let series: Vec<Series> = horizon
         .into_iter()
         .flat_map(|horizon| horizon.variants.iter().zip(looks))
-        .map(|(variant, look)| {
-            let count = variant.ratios.len();
-            let stride = count.div_ceil(DISTRIBUTION_POINTS).max(1);
-            let points = variant.ratios.iter().enumerate().step_by(stride);
-            let points = points.map(|(i, ratio)| (*ratio, (i as f64 + 0.5) / count as f64)).collect();
-            Series { has_markers: false, ..Series::new(variant.name, look, points) }
+        .map(|(variant, look)| Series {
+            has_markers: false,
+            ..Series::new(variant.name, look, shares(&variant.ratios))
         })
         .collect();
     let turned = horizon.map_or(0.0, |horizon| horizon.turned);
