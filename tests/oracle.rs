@@ -11,7 +11,7 @@ use dzhanibekov::physics::solids::{Shape, Solid};
 use glam::{DMat3, DVec3};
 use oracle::motion::Moment;
 use oracle::real::{nearest, size};
-use oracle::{Inertia, Oracle, taylor};
+use oracle::{Inertia, Oracle, Spin, taylor};
 
 fn cases(text: &str) -> Vec<serde_json::Value> {
     let file: serde_json::Value = serde_json::from_str(text).expect("JSON");
@@ -31,7 +31,8 @@ fn reference_values() {
             } else {
                 Inertia::Moments(numbers(&case["moments"]).try_into().expect("three"))
             };
-            let oracle = Oracle::new(&inertia, numbers(&case["omega"]).try_into().expect("three"));
+            let spin = Spin::Body(numbers(&case["omega"]).try_into().expect("three"));
+            let oracle = Oracle::new(&inertia, &spin);
             for sample in case["samples"].as_array().expect("samples") {
                 let time = sample["t"].as_f64().expect("a time");
                 let row = |n: usize| DVec3::from_slice(&numbers(&sample["R"][n]));
@@ -80,7 +81,7 @@ fn distance(a: &Moment, b: &Moment) -> f64 {
 #[test]
 fn eulers_equations() {
     for (n, (inertia, angular_velocity)) in starts().iter().enumerate() {
-        let oracle = Oracle::new(inertia, *angular_velocity);
+        let oracle = Oracle::new(inertia, &Spin::Body(*angular_velocity));
         // The fastest rate is ℓ/I₁, thousands of steps a second for the needle.
         for time in if n == 7 { [0.01, -0.02] } else { [0.7, -2.0] } {
             let series = taylor::at(inertia, *angular_velocity, time, 192);
@@ -93,8 +94,8 @@ fn eulers_equations() {
 #[test]
 fn digits_to_spare() {
     for (inertia, angular_velocity) in starts() {
-        let oracle = Oracle::new(&inertia, angular_velocity);
-        let longer = Oracle::with_bits(&inertia, angular_velocity, 576);
+        let oracle = Oracle::new(&inertia, &Spin::Body(angular_velocity));
+        let longer = Oracle::with_bits(&inertia, &Spin::Body(angular_velocity), 576);
         for time in [1e3, -1e12] {
             assert_at_most(distance(&oracle.at(time), &longer.at(time)), 1e-80, &format!("{inertia:?} {time}"));
         }

@@ -19,9 +19,9 @@ use common::{EPS, Random, attitude_error};
 use dzhanibekov::physics::{Integration, Motion, MotionClass, State, method, poinsot, so3};
 use glam::{DMat3, DVec3};
 use kinds::{KINDS, Start};
-use oracle::Oracle;
 use oracle::motion::{Moment, Turning};
 use oracle::real::nearest;
+use oracle::{Oracle, Spin};
 
 /// How many starts a short run has.
 const SHORT_RUN: usize = 1_700;
@@ -120,9 +120,15 @@ fn examine(kind: usize, n: u64) -> Found {
             return found;
         }
     };
-    let oracle = Oracle::new(&start.inertia, start.angular_velocity);
+    let angular_velocity = DVec3::from_array(start.angular_velocity);
+    let (spin, state) = if start.is_along_axes {
+        let spin = Spin::AlongAxes(start.angular_velocity, body.body_from_principal());
+        (spin, State::in_principal_frame(&body, DMat3::IDENTITY, angular_velocity))
+    } else {
+        (Spin::Body(start.angular_velocity), State::new(&body, DMat3::IDENTITY, angular_velocity))
+    };
+    let oracle = Oracle::new(&start.inertia, &spin);
     let (ell, speed) = (nearest(&oracle.ell), nearest(&oracle.speed));
-    let state = State::new(&body, DMat3::IDENTITY, DVec3::from_array(start.angular_velocity));
     let at_start = oracle.at(0.0).momentum_direction();
     let errors = |state: &State, right: &Moment| {
         let attitude = attitude_error(state.world_from_body, right.world_from_body());

@@ -12,11 +12,13 @@ use glam::{DMat3, DVec3};
 use crate::common::Random;
 use crate::oracle::Inertia;
 
-/// A body, its body angular velocity with the attitude at the identity, and a time (s).
+/// A body, its angular velocity with the attitude at the identity, and a time (s).
 #[derive(Clone, Debug)]
 pub(crate) struct Start {
     pub(crate) inertia: Inertia,
     pub(crate) angular_velocity: [f64; 3],
+    /// Whether that is along the principal axes.
+    pub(crate) is_along_axes: bool,
     pub(crate) time: f64,
 }
 
@@ -35,11 +37,21 @@ pub(crate) const KINDS: &[Kind] = &[
     kind("any body", |r| moments(r, |r| r.vector().to_array())),
     kind("a box", |r| {
         let edges = [0.0; 3].map(|_| r.between(0.1, 1.0));
-        Start { inertia: Inertia::Box { edges, mass: power(r, -3.0, 3.0) }, angular_velocity: spin(r), time: time(r) }
+        Start {
+            inertia: Inertia::Box { edges, mass: power(r, -3.0, 3.0) },
+            angular_velocity: spin(r),
+            is_along_axes: false,
+            time: time(r),
+        }
     }),
     kind("a box of extreme edges", |r| {
         let edges = [0.0; 3].map(|_| power(r, -7.0, 0.0));
-        Start { inertia: Inertia::Box { edges, mass: power(r, -3.0, 3.0) }, angular_velocity: spin(r), time: time(r) }
+        Start {
+            inertia: Inertia::Box { edges, mass: power(r, -3.0, 3.0) },
+            angular_velocity: spin(r),
+            is_along_axes: false,
+            time: time(r),
+        }
     }),
     kind("near the separatrix", |r| {
         let off = power(r, -16.0, -1.0);
@@ -169,18 +181,59 @@ pub(crate) const KINDS: &[Kind] = &[
         let [xx, yy, zz] = solid_moments(r);
         let mut entries = [xx, yy, zz, 0.0, 0.0, 0.0];
         entries[3 + r.below(3) as usize] = sign(r) * power(r, -300.0, -3.0);
-        Start { inertia: Inertia::Tensor(entries), angular_velocity: spin(r), time: time(r) }
+        Start { inertia: Inertia::Tensor(entries), angular_velocity: spin(r), is_along_axes: false, time: time(r) }
     }),
     kind("a tensor with a plane of symmetry", |r| {
         let [xx, yy, zz] = solid_moments(r);
         let mut entries = [xx, yy, zz, 0.0, 0.0, 0.0];
         entries[3 + r.below(3) as usize] = 0.3 * xx.min(yy).min(zz) * r.between(-1.0, 1.0);
-        Start { inertia: Inertia::Tensor(entries), angular_velocity: spin(r), time: time(r) }
+        Start { inertia: Inertia::Tensor(entries), angular_velocity: spin(r), is_along_axes: false, time: time(r) }
+    }),
+    kind("a tensor along its axes", |r| {
+        let any = solid_moments(r);
+        let turn = r.rotation();
+        let start = turned(r, any, turn, spin);
+        let like = match r.below(4) {
+            0 => near_separatrix_of(r, any, 0.0).0,
+            1 => [sign(r) * power(r, -322.0, -3.0), sign(r), sign(r) * power(r, -322.0, -3.0)],
+            2 => [0.0, sign(r), 0.0],
+            _ => spin(r),
+        };
+        let time = if r.below(2) == 0 { start.time } else { sign(r) * power(r, 0.0, 4.0) };
+        Start { angular_velocity: like, is_along_axes: true, time, ..start }
+    }),
+    kind("a tensor of known axes, on the separatrix", |r| {
+        let (moments, first, third) = WHOLE[r.below(WHOLE.len() as u64) as usize];
+        let rate = short(r) / 64.0;
+        let middle = short(r) * sign(r) / 4.0;
+        of_known_axes(r, moments, [first * rate, middle, third * rate])
+    }),
+    kind("a tensor of known axes, about one or beside it", |r| {
+        let (moments, _, _) = WHOLE[r.below(WHOLE.len() as u64) as usize];
+        let mut omega = [0.0; 3];
+        omega[r.below(3) as usize] = short(r) * sign(r) / 8.0;
+        let mut start = of_known_axes(r, moments, omega);
+        if r.below(2) == 0 {
+            start.angular_velocity = start.angular_velocity.map(|x| if x == 0.0 { power(r, -322.0, -16.0) } else { x });
+        }
+        start
+    }),
+    kind("a tensor of two equal moments", |r| {
+        // λ 1 + μ u uᵀ, u = (1, 2, 2)/3, times nine.
+        let round = short(r);
+        let along = if r.below(2) == 0 { short(r) } else { -0.5 * round };
+        let diagonal = 9.0 * round;
+        let entries = [1.0, 4.0, 4.0].map(|square| diagonal + along * square);
+        let others = [2.0, 2.0, 4.0].map(|product| along * product);
+        let [xx, yy, zz] = entries;
+        let [xy, xz, yz] = others;
+        let inertia = Inertia::Tensor([xx, yy, zz, xy, xz, yz]);
+        Start { inertia, angular_velocity: spin(r), is_along_axes: false, time: time(r) }
     }),
     kind("solids", |r| {
         let count = 1 + r.below(4);
         let solids = (0..count).map(|_| solid(r, 1.0)).collect();
-        Start { inertia: Inertia::Solids(solids), angular_velocity: spin(r), time: time(r) }
+        Start { inertia: Inertia::Solids(solids), angular_velocity: spin(r), is_along_axes: false, time: time(r) }
     }),
     kind("solids, a light one far away", |r| {
         let size = power(r, -2.0, 0.0);
@@ -191,7 +244,7 @@ pub(crate) const KINDS: &[Kind] = &[
         if r.below(2) == 0 {
             solids.reverse();
         }
-        Start { inertia: Inertia::Solids(solids), angular_velocity: spin(r), time: time(r) }
+        Start { inertia: Inertia::Solids(solids), angular_velocity: spin(r), is_along_axes: false, time: time(r) }
     }),
     kind("solids along the axes", |r| {
         let solids = (0..3)
@@ -202,7 +255,7 @@ pub(crate) const KINDS: &[Kind] = &[
                 part
             })
             .collect();
-        Start { inertia: Inertia::Solids(solids), angular_velocity: spin(r), time: time(r) }
+        Start { inertia: Inertia::Solids(solids), angular_velocity: spin(r), is_along_axes: false, time: time(r) }
     }),
 ];
 
@@ -241,7 +294,7 @@ fn shuffled(r: &mut Random, mut moments: [f64; 3], mut angular_velocity: [f64; 3
     for component in &mut angular_velocity {
         *component *= sign(r);
     }
-    Start { inertia: Inertia::Moments(moments), angular_velocity, time }
+    Start { inertia: Inertia::Moments(moments), angular_velocity, is_along_axes: false, time }
 }
 
 fn own_axes(r: &mut Random, moments: [f64; 3], omega: fn(&mut Random) -> [f64; 3]) -> Start {
@@ -281,12 +334,15 @@ fn near_separatrix(r: &mut Random, off: f64) -> Start {
     if r.below(3) == 0 {
         (a, b, c) = (power(r, -2.0, 0.0), 1.0, 1.0 + power(r, -2.0, 0.0));
     }
+    let (omega, time) = near_separatrix_of(r, [a, b, c], off);
+    shuffled(r, [a, b, c], omega, time)
+}
+
+fn near_separatrix_of(r: &mut Random, [a, b, c]: [f64; 3], off: f64) -> ([f64; 3], f64) {
     let third = r.between(0.1, 1.0);
     let first = third * (c * (c - b) / (a * (b - a))).sqrt() * (1.0 + sign(r) * off).sqrt();
     let omega = [first, r.between(-1.0, 1.0), third];
-    let omega = omega.map(|x| x / first.max(1.0));
-    let time = time(r);
-    shuffled(r, [a, b, c], omega, time)
+    (omega.map(|x| x / first.max(1.0)), time(r))
 }
 
 /// Moments and `Ω₁ : Ω₃` with `I₁Ω₁²(I₂−I₁) = I₃Ω₃²(I₃−I₂)`.
@@ -365,8 +421,22 @@ fn turned(r: &mut Random, moments: [f64; 3], turn: DMat3, omega: impl Fn(&mut Ra
     Start {
         inertia: Inertia::Tensor([x.x, y.y, z.z, x.y, x.z, y.z]),
         angular_velocity: omega.to_array(),
+        is_along_axes: false,
         time: time(r),
     }
+}
+
+/// A tensor, without rounding, whose axes are (3, 4, 0)/5, (−4, 3, 0)/5 and (0, 0, 1) in some order: 25 times these moments,
+/// and 5 times these components of the spin. Both are of 40 bits times small whole numbers.
+fn of_known_axes(r: &mut Random, moments: [f64; 3], spin: [f64; 3]) -> Start {
+    let size = short(r);
+    let [a, b, c] = [[0, 1, 2], [1, 2, 0], [2, 0, 1]][r.below(3) as usize];
+    let [p, q, s] = [a, b, c].map(|n| moments[n] * size);
+    let [x, y, z] = [a, b, c].map(|n| spin[n]);
+    let inertia = Inertia::Tensor([9.0 * p + 16.0 * q, 16.0 * p + 9.0 * q, 25.0 * s, 12.0 * (p - q), 0.0, 0.0]);
+    let angular_velocity = [3.0 * x - 4.0 * y, 4.0 * x + 3.0 * y, 5.0 * z];
+    let time = if r.below(2) == 0 { time(r) } else { r.between(-100.0, 100.0) };
+    Start { inertia, angular_velocity, is_along_axes: false, time }
 }
 
 fn solid(r: &mut Random, size: f64) -> Solid {

@@ -18,4 +18,4 @@ pub(crate) mod real;
 pub(crate) mod taylor;
 
 pub(crate) use inertia::Inertia;
-pub(crate) use motion::Oracle;
+pub(crate) use motion::{Oracle, Spin};

@@ -18,6 +18,15 @@ pub(crate) const BITS: usize = 384;
 /// What its start is prepared in, until no difference has lost too much; what is lost in the last one is 0.
 const PREPARATION: [usize; 3] = [576, 1536, 4608];
 
+/// What the angular velocity is given by (rad/s).
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Spin {
+    /// Its components in the body frame.
+    Body([f64; 3]),
+    /// Its components along principal axes 1, 2, 3, and the rounded axes, which say which way they point.
+    AlongAxes([f64; 3], DMat3),
+}
+
 /// What the momentum does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Turning {
@@ -98,11 +107,8 @@ struct Start {
 }
 
 impl Start {
-    fn new(inertia: &Inertia, angular_velocity: [f64; 3], bits: usize, keep: usize) -> Self {
-        let principal = inertia.principal(bits);
-        let body_rate = vector(angular_velocity, bits);
-        // Only what was turned by rounded axes can have lost anything.
-        let is_turned = principal.principal_from_body.iter().flatten().any(|x| !is_zero(x) && size(x) != Real::from(1));
+    fn new(inertia: &Inertia, spin: &Spin, bits: usize, keep: usize) -> Self {
+        let mut principal = inertia.principal(bits);
         let mut is_sure = true;
         // A result of which too little is left of what it was the difference of.
         let mut checked = |result: Real, of: isize| {
@@ -113,11 +119,29 @@ impl Start {
             is_sure = false;
             real(0.0, bits)
         };
-        let mut omega = times(&principal.principal_from_body, &body_rate);
-        if is_turned {
-            let largest = body_rate.iter().map(exponent).max().expect("three");
-            omega = omega.map(|x| checked(x, largest));
-        }
+        let omega = match spin {
+            Spin::Body(components) => {
+                let given = vector(*components, bits);
+                let omega = times(&principal.principal_from_body, &given);
+                let whole = |x: &Real| is_zero(x) || size(x) == Real::from(1);
+                if principal.principal_from_body.iter().flatten().all(whole) {
+                    omega
+                } else {
+                    // Turned by rounded axes.
+                    let largest = given.iter().map(exponent).max().expect("three");
+                    omega.map(|x| checked(x, largest))
+                }
+            }
+            Spin::AlongAxes(components, body_from_principal) => {
+                for (n, row) in principal.principal_from_body.iter_mut().enumerate() {
+                    let named = vector(body_from_principal.col(n).to_array(), bits);
+                    if is_negative(&dot(row, &named)) {
+                        *row = row.clone().map(|x| -x);
+                    }
+                }
+                vector(*components, bits)
+            }
+        };
         let [i1, i2, i3] = &principal.moments;
         let largest = exponent(i3);
         let differences = match inertia {
@@ -133,16 +157,16 @@ impl Start {
 }
 
 impl Oracle {
-    /// From what the body is given by and its body angular velocity; the attitude at the start is the identity.
-    pub(crate) fn new(inertia: &Inertia, angular_velocity: [f64; 3]) -> Self {
-        Self::with_bits(inertia, angular_velocity, BITS)
+    /// From what the body and its spin are given by; the attitude at the start is the identity.
+    pub(crate) fn new(inertia: &Inertia, spin: &Spin) -> Self {
+        Self::with_bits(inertia, spin, BITS)
     }
 
     /// In numbers of another length.
-    pub(crate) fn with_bits(inertia: &Inertia, angular_velocity: [f64; 3], bits: usize) -> Self {
+    pub(crate) fn with_bits(inertia: &Inertia, spin: &Spin, bits: usize) -> Self {
         let mut start = None;
         for preparation in PREPARATION {
-            let at = Start::new(inertia, angular_velocity, preparation + (bits - BITS), bits);
+            let at = Start::new(inertia, spin, preparation + (bits - BITS), bits);
             let is_sure = at.is_sure;
             start = Some(at);
             if is_sure {
