@@ -9,8 +9,6 @@ use common::assert_at_most;
 use dzhanibekov::physics::so3;
 use dzhanibekov::physics::solids::{Shape, Solid};
 use glam::{DMat3, DVec3};
-use oracle::motion::Moment;
-use oracle::real::{nearest, size};
 use oracle::{Inertia, Oracle, Spin, taylor};
 
 fn cases(text: &str) -> Vec<serde_json::Value> {
@@ -71,12 +69,6 @@ fn starts() -> Vec<(Inertia, [f64; 3])> {
     ]
 }
 
-fn distance(a: &Moment, b: &Moment) -> f64 {
-    let attitudes = a.attitude.iter().flatten().zip(b.attitude.iter().flatten());
-    let directions = a.direction.iter().zip(&b.direction);
-    attitudes.chain(directions).map(|(a, b)| nearest(&size(&(a - b)))).fold(0.0, f64::max)
-}
-
 /// Euler's equations themselves, by Taylor series of 40 terms: they leave 1e-41 a step, and a step adds no more than its neighbours' growth.
 #[test]
 fn eulers_equations() {
@@ -85,7 +77,7 @@ fn eulers_equations() {
         // The fastest rate is ℓ/I₁, thousands of steps a second for the needle.
         for time in if n == 7 { [0.01, -0.02] } else { [0.7, -2.0] } {
             let series = taylor::at(inertia, *angular_velocity, time, 192);
-            assert_at_most(distance(&oracle.at(time), &series), 1e-37, &format!("{inertia:?} {time}"));
+            assert_at_most(oracle.at(time).distance(&series), 1e-37, &format!("{inertia:?} {time}"));
         }
     }
 }
@@ -97,7 +89,7 @@ fn digits_to_spare() {
         let oracle = Oracle::new(&inertia, &Spin::Body(angular_velocity));
         let longer = Oracle::with_bits(&inertia, &Spin::Body(angular_velocity), 576);
         for time in [1e3, -1e12] {
-            assert_at_most(distance(&oracle.at(time), &longer.at(time)), 1e-80, &format!("{inertia:?} {time}"));
+            assert_at_most(oracle.at(time).distance(&longer.at(time)), 1e-80, &format!("{inertia:?} {time}"));
         }
     }
 }

@@ -84,6 +84,13 @@ pub(crate) struct Moment {
 }
 
 impl Moment {
+    /// The largest difference of two entries.
+    pub(crate) fn distance(&self, other: &Self) -> f64 {
+        let attitudes = self.attitude.iter().flatten().zip(other.attitude.iter().flatten());
+        let directions = self.direction.iter().zip(&other.direction);
+        attitudes.chain(directions).map(|(a, b)| nearest(&size(&(a - b)))).fold(0.0, f64::max)
+    }
+
     /// Rounded.
     pub(crate) fn world_from_body(&self) -> DMat3 {
         let rows = self.attitude.clone().map(|row| DVec3::from_array(row.map(|x| nearest(&x))));
