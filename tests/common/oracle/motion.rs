@@ -45,9 +45,10 @@ pub(crate) struct Oracle {
     pub(crate) turning: Turning,
     /// Whether two principal moments are equal.
     pub(crate) is_symmetric: bool,
-    /// `|M|` and `|Ω|` at the start.
+    /// `|M|`, `|Ω|` at the start, and the largest on the orbit.
     pub(crate) ell: Real,
     pub(crate) speed: Real,
+    pub(crate) fastest: Real,
     /// The signed permutation of the principal frame, and the principal frame.
     standard_from_body: Matrix,
     /// Of the standard position.
@@ -221,6 +222,7 @@ impl Oracle {
             turning,
             is_symmetric,
             ell,
+            fastest: speed.clone(),
             speed,
             standard_from_body: axes,
             angular_velocity: omega,
@@ -234,7 +236,9 @@ impl Oracle {
         if is_zero(&second) {
             oracle.turning = Turning::Separatrix;
         }
-        oracle.orbit = Some(Orbit::new(&i, &oracle.angular_velocity, &oracle.ell, [&d21, &d31, &d32], &second));
+        let orbit = Orbit::new(&i, &oracle.angular_velocity, &oracle.ell, [&d21, &d31, &d32], &second);
+        oracle.fastest = orbit.fastest(&i, &oracle.ell);
+        oracle.orbit = Some(orbit);
         oracle
     }
 
@@ -342,6 +346,14 @@ impl Orbit {
             orbit.complete_third = orbit.third_kind(quarter, &at_quarter);
         }
         orbit
+    }
+
+    /// The largest `|Ω|`: its square is linear in sn², so that is at one end of a quarter period.
+    fn fastest(&self, i: &Vector, ell: &Real) -> Real {
+        let [x, y, z] = [0, 1, 2].map(|n| &self.amplitudes[n] * ell / &i[n]);
+        let at_start = root(&(x.sqr() + z.sqr()));
+        let at_quarter = root(&(y.sqr() + (z * &self.modulus.k1).sqr()));
+        if at_start > at_quarter { at_start } else { at_quarter }
     }
 
     /// `∫₀^u du/(1 − n sn²u)` within a quarter period.
