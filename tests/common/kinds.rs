@@ -53,6 +53,27 @@ pub(crate) const KINDS: &[Kind] = &[
             time: time(r),
         }
     }),
+    kind("a box of nearly equal edges", |r| {
+        let a = r.between(0.1, 1.0);
+        let mut edges = [a, a * (1.0 + sign(r) * power(r, -16.0, -2.0)), r.between(0.1, 1.0)];
+        if r.below(2) == 0 {
+            edges[2] = a * (1.0 + sign(r) * power(r, -16.0, -2.0));
+        }
+        Start {
+            inertia: Inertia::Box { edges, mass: 1.0 },
+            angular_velocity: spin(r),
+            is_along_axes: false,
+            time: time(r),
+        }
+    }),
+    kind("a box on the separatrix to rounding", |r| {
+        let edges = [0.0; 3].map(|_| r.between(0.1, 1.0));
+        let [a, b, c] = edges.map(|edge| edge * edge);
+        let mut sums = [b + c, c + a, a + b];
+        sums.sort_by(f64::total_cmp);
+        let (angular_velocity, time) = near_separatrix_of(r, sums, 0.0);
+        Start { inertia: Inertia::Box { edges, mass: 0.7 }, angular_velocity, is_along_axes: true, time }
+    }),
     kind("near the separatrix", |r| {
         let off = power(r, -16.0, -1.0);
         near_separatrix(r, off)
@@ -234,6 +255,20 @@ pub(crate) const KINDS: &[Kind] = &[
         let count = 1 + r.below(4);
         let solids = (0..count).map(|_| solid(r, 1.0)).collect();
         Start { inertia: Inertia::Solids(solids), angular_velocity: spin(r), is_along_axes: false, time: time(r) }
+    }),
+    kind("solids, turned about or beside an axis of theirs", |r| {
+        let solids = vec![solid(r, 1.0), solid(r, 0.5)];
+        let mut omega = [sign(r), sign(r) * power(r, -322.0, -1.0), sign(r) * power(r, -322.0, -1.0)];
+        let axis = r.below(3) as usize;
+        omega.swap(0, axis);
+        if r.below(3) == 0 {
+            omega[(axis + 1) % 3] = 0.0;
+        }
+        if r.below(3) == 0 {
+            omega[(axis + 2) % 3] = 0.0;
+        }
+        let time = if r.below(3) == 0 { time(r) } else { sign(r) * power(r, 0.0, 4.0) };
+        Start { inertia: Inertia::Solids(solids), angular_velocity: omega, is_along_axes: true, time }
     }),
     kind("solids, a light one far away", |r| {
         let size = power(r, -2.0, 0.0);
