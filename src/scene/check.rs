@@ -299,3 +299,215 @@ fn named_method(name: &str) -> Result<&'static Method, SceneError> {
         },
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::{DMat3, DVec3};
+
+    use super::{DEFAULT_EDGES, Scene, SceneError};
+    use crate::physics::so3;
+    use crate::scene::{Layout, PartKind, SceneFile, Theme};
+
+    fn check(text: &str) -> Result<Scene, SceneError> {
+        Scene::check(&SceneFile::parse(text)?)
+    }
+
+    fn near(one: DVec3, other: DVec3) -> bool {
+        // Three products and sums of numbers up to their length.
+        (one - other).length() <= 8.0 * f64::EPSILON * other.length()
+    }
+
+    #[test]
+    fn what_a_scene_leaves_out_is_as_promised() -> Result<(), SceneError> {
+        let scene = check("")?;
+        assert_eq!((scene.method.name, scene.step, scene.compare.len()), ("exact-step", 0.001, 0));
+        let part = scene.parts.first().map(|part| (part.kind, part.size, part.centre, part.body_from_part));
+        let edges = DVec3::from_array(DEFAULT_EDGES);
+        assert_eq!(part, Some((PartKind::Box, edges, DVec3::ZERO, DMat3::IDENTITY)));
+        // m/12 (b² + c²) of 1 kg, and 1 rad/s about the middle axis.
+        let middle = (edges.x * edges.x + edges.z * edges.z) / 12.0;
+        assert!(near(scene.start.body_momentum, DVec3::new(0.0, middle, 0.0)), "{}", scene.start.body_momentum);
+        assert_eq!(scene.start.world_from_body, DMat3::IDENTITY);
+        let view = &scene.view;
+        assert_eq!((view.layout, view.theme, view.labels, view.font_scale), (Layout::Both, Theme::Dark, true, 1.0));
+        assert!(scene.warnings().is_empty());
+        Ok(())
+    }
+
+    #[test]
+    fn a_body_is_what_its_key_says() -> Result<(), SceneError> {
+        let inertia = |text: &str| check(text).map(|scene| scene.body.inertia());
+        assert_eq!(
+            inertia("body = { box = [1, 2, 3], mass = 12 }")?,
+            DMat3::from_diagonal(DVec3::new(13.0, 10.0, 5.0))
+        );
+        assert_eq!(inertia("body.moments = [3, 1, 2]")?, DMat3::from_diagonal(DVec3::new(3.0, 1.0, 2.0)));
+        let tensor = [4.0, 0.1, 0.2, 0.1, 5.0, 0.3, 0.2, 0.3, 6.0];
+        assert_eq!(inertia("body.inertia = [4, 5, 6, 0.1, 0.2, 0.3]")?, DMat3::from_cols_array(&tensor));
+        let scene = check("body.solids = [{ kind = 'box', size = [1, 2, 3], density = 2 }]")?;
+        assert_eq!(scene.body.inertia(), DMat3::from_diagonal(DVec3::new(13.0, 10.0, 5.0)));
+        let form = |text: &str| check(text).map(|scene| scene.parts.iter().map(|part| part.kind).collect::<Vec<_>>());
+        assert_eq!(form("body = { moments = [1, 1, 1], form = 'ellipsoid' }")?, [PartKind::Ellipsoid]);
+        assert_eq!(form("body.moments = [1, 1, 1]")?, [PartKind::Box]);
+        Ok(())
+    }
+
+    #[test]
+    fn a_spin_is_about_its_axis_and_tilts_towards_the_next() -> Result<(), SceneError> {
+        // The axes of the body are its principal axes, but not in their order: 2 is along x, 3 along y, 1 along z.
+        let axes = [DVec3::Z, DVec3::X, DVec3::Y];
+        for (axis, tilt) in
+            [(1, 0.0_f64), (2, 0.0), (3, 0.0), (1, 30.0), (2, -30.0), (3, 150.0), (2, 180.0), (2, -180.0)]
+        {
+            let text = format!("body.moments = [2, 3, 1]\nspin = {{ axis = {axis}, tilt_deg = {tilt:?}, rate = 4 }}");
+            let scene = check(&text)?;
+            let omega = scene.start.body_angular_velocity(&scene.body);
+            let (along, towards) = (axes[axis - 1], axes[axis % 3]);
+            let sign = if along.dot(scene.body.body_from_principal().col(axis - 1)) < 0.0 { -1.0 } else { 1.0 };
+            let next = if towards.dot(scene.body.body_from_principal().col(axis % 3)) < 0.0 { -1.0 } else { 1.0 };
+            let (sine, cosine) = tilt.to_radians().sin_cos();
+            assert!(near(omega, 4.0 * (cosine * sign * along + sine * next * towards)), "{axis} {tilt}: {omega}");
+        }
+        let scene = check("body.moments = [2, 3, 1]\nspin.omega = [1, -2, 3]")?;
+        assert!(near(scene.start.body_momentum, DVec3::new(2.0, -6.0, 3.0)));
+        Ok(())
+    }
+
+    #[test]
+    fn an_attitude_is_made_unit() -> Result<(), SceneError> {
+        for attitude in ["[2, 0, 0, 2]", "[-0.1, 0, 0, -0.1]", "[1e300, 0, 0, 1e300]", "[1e-300, 0, 0, 1e-300]"] {
+            let scene = check(&format!("spin.attitude = {attitude}"))?;
+            // A quarter about z.
+            let turned = so3::exp(DVec3::Z * std::f64::consts::FRAC_PI_2);
+            assert!(so3::angle_between(scene.start.world_from_body, turned) < 8.0 * f64::EPSILON, "{attitude}");
+        }
+        let scene = check("spin.attitude = [1, 1, 1, 1]")?;
+        assert!(near(scene.start.world_from_body * DVec3::X, DVec3::Y), "(x, y, z) goes to (y, z, x)");
+        Ok(())
+    }
+
+    #[test]
+    fn methods_are_found_and_none_is_its_own_ghost() -> Result<(), SceneError> {
+        let scene = check("motion = { method = 'buss', step = 0.5, compare = ['rk4', 'buss', 'lie-euler'] }")?;
+        assert_eq!((scene.method.name, scene.step), ("buss", 0.5));
+        assert_eq!(scene.compare.iter().map(|method| method.name).collect::<Vec<_>>(), ["rk4", "lie-euler"]);
+        assert_eq!(scene.file.motion.compare.len(), 3);
+        Ok(())
+    }
+
+    #[test]
+    fn a_view_is_as_it_is_said() -> Result<(), SceneError> {
+        let text = "[view]\nlayout = 'body'\ntheme = 'light'\nshow = ['a']\nhide = ['b']\nlabels = false\nfont_scale = 8\n\
+                    azimuth_deg = -1\nelevation_deg = 2\ndistance = 3\nworld_camera.distance = 4\nbody_camera.distance = 5";
+        let scene = check(text)?;
+        let (view, file) = (&scene.view, &scene.file.view);
+        assert_eq!((view.layout, view.theme, view.labels, view.font_scale), (Layout::Body, Theme::Light, false, 8.0));
+        assert_eq!((&view.show, &view.hide), (&file.show, &file.hide));
+        assert_eq!((view.azimuth_deg, view.elevation_deg, view.distance), (Some(-1.0), Some(2.0), Some(3.0)));
+        assert_eq!((view.world_camera, view.body_camera), (file.world_camera, file.body_camera));
+        assert!(check("view.font_scale = 0.25").is_ok());
+        Ok(())
+    }
+
+    #[test]
+    fn moments_that_no_solid_has_are_said() -> Result<(), SceneError> {
+        let warnings = check("body.moments = [1, 5, 1e-9]")?.warnings();
+        let said = "moments 1e-9, 1, 5: the largest is 5.000 times the sum of the others and no solid has such moments; it goes on all the same";
+        assert_eq!(warnings, [said]);
+        Ok(())
+    }
+
+    #[test]
+    fn what_cannot_be_run_is_refused_in_one_sentence() {
+        for (text, sentence) in [
+            (
+                "body = { box = [1, 1, 1], moments = [1, 1, 1] }",
+                "the body is given by box and moments at once: give one of box, moments, inertia, solids",
+            ),
+            (
+                "body = { inertia = [1, 1, 1, 0, 0, 0], solids = [{ kind = 'box', size = [1, 1, 1] }] }",
+                "the body is given by inertia and solids at once: give one of box, moments, inertia, solids",
+            ),
+            (
+                "body = { moments = [1, 1, 1], mass = 2.5 }",
+                "mass 2.5 kg goes with a box only: moments, inertia and solids hold the mass already",
+            ),
+            (
+                "body.box = [1, 1e-300, -1e-300]",
+                "edge -1e-300 m is not a length: every edge must be finite and above 0",
+            ),
+            ("body.mass = 0", "mass 0 kg is not a mass: it must be finite and above 0"),
+            (
+                "body.moments = [1, nan, 2]",
+                "moment NaN kg m² is not a moment of inertia: every moment must be finite and above 0",
+            ),
+            (
+                "body.solids = [{ kind = 'cylinder', size = [1, 2, 3] }]",
+                "a cylinder's size 1 x 2 is not round: its first two extents are its diameter, twice the same",
+            ),
+            (
+                "body.solids = [{ kind = 'box', size = [1, 2, 3], rotation_deg = [1, inf, 0] }]",
+                "rotation_deg inf is not valid: it must be a finite number",
+            ),
+            (
+                "body.solids = [{ kind = 'box', size = [1, 0, 3] }]",
+                "0 m is not the size of a solid: it must be finite and above 0",
+            ),
+            (
+                "spin = { omega = [1, 2, 3], tilt_deg = 1 }",
+                "the spin is given by omega and by tilt_deg at once: give omega, or axis with tilt and rate",
+            ),
+            (
+                "spin = { omega = [1, 2, 3], axis = 1 }",
+                "the spin is given by omega and by axis at once: give omega, or axis with tilt and rate",
+            ),
+            (
+                "spin = { omega = [1, 2, 3], rate = 1 }",
+                "the spin is given by omega and by rate at once: give omega, or axis with tilt and rate",
+            ),
+            ("spin.omega = [1, -inf, 3]", "omega -inf is not valid: it must be a finite number"),
+            ("spin.tilt_deg = 180.5", "tilt 180.5 is not valid: it must be between -180 and 180 degrees"),
+            ("spin.tilt_deg = nan", "tilt NaN is not valid: it must be a finite number"),
+            ("spin.rate = inf", "rate inf is not valid: it must be a finite number"),
+            (
+                "spin.rate = 1e200",
+                "angular velocity 1e200 rad/s with this body is beyond the range of numbers: take a smaller one",
+            ),
+            ("spin.attitude = [0, 0, -0.0, 0]", "attitude 0 is not valid: it must be a quaternion that is not 0"),
+            ("spin.attitude = [1, 0, 0, inf]", "attitude inf is not valid: it must be a finite number"),
+            ("motion.method = 'bus'", "method `bus` is not known: the nearest is `buss`"),
+            ("motion.method = 'qqqqq'", "method `qqqqq` is not known: `dzhanibekov methods` lists them"),
+            ("motion.compare = ['rk4', \"a\\nb\"]", "method `a\\nb` is not known: `dzhanibekov methods` lists them"),
+            ("motion.step = 0", "step 0 is not valid: it must be finite and above 0"),
+            ("motion.step = inf", "step inf is not valid: it must be finite and above 0"),
+            ("view.azimuth_deg = nan", "azimuth NaN is not valid: it must be a finite number"),
+            ("view.elevation_deg = inf", "elevation inf is not valid: it must be a finite number"),
+            ("view.distance = 0", "distance 0 is not valid: it must be finite and above 0"),
+            ("view.font_scale = 0.24", "font scale 0.24 is not valid: it must be between 0.25 and 8"),
+            ("view.font_scale = 8.1", "font scale 8.1 is not valid: it must be between 0.25 and 8"),
+            (
+                "view.world_camera.azimuth_deg = nan",
+                "azimuth of the world's camera NaN is not valid: it must be a finite number",
+            ),
+            (
+                "view.world_camera.distance = -1",
+                "distance of the world's camera -1 is not valid: it must be finite and above 0",
+            ),
+            (
+                "view.body_camera.elevation_deg = inf",
+                "elevation of momentum space's camera inf is not valid: it must be a finite number",
+            ),
+            (
+                "view.body_camera.target = [0, inf, 0]",
+                "target of momentum space's camera inf is not valid: it must be a finite number",
+            ),
+        ] {
+            let said = check(text).map_or_else(|error| error.to_string(), |_| "no refusal".to_owned());
+            assert_eq!(said, sentence, "{text}");
+        }
+        let file =
+            SceneFile { spin: crate::scene::SpinFile { axis: Some(4), ..Default::default() }, ..Default::default() };
+        let said = "spin axis 4 does not exist: axes are 1 (smallest moment), 2 and 3 (largest)";
+        assert_eq!(Scene::check(&file).map_err(|error| error.to_string()).err().as_deref(), Some(said));
+    }
+}

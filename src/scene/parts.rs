@@ -91,3 +91,93 @@ pub(super) fn equivalent(body: &Body, form: PartKind) -> Part {
     };
     Part::centred(kind, size.max(DVec3::splat(THINNEST * size.max_element())), body.body_from_principal())
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use crate::physics::so3;
+    use crate::scene::{Part, PartKind, Scene, SceneError, SceneFile};
+
+    fn parts(text: &str) -> Result<Vec<Part>, SceneError> {
+        Ok(Scene::check(&SceneFile::parse(text)?)?.parts)
+    }
+
+    fn near(one: DVec3, other: DVec3) -> bool {
+        // A few sums, products and roots of numbers up to their length.
+        (one - other).length() <= 16.0 * f64::EPSILON * other.length().max(1.0)
+    }
+
+    #[test]
+    fn solids_lie_about_their_centre_of_mass() -> Result<(), SceneError> {
+        let text = r#"[[body.solids]]
+kind = "box"
+size = [1, 2, 3]
+position = [1, 0, 0]
+density = 2
+[[body.solids]]
+kind = "cylinder"
+size = [2, 2, 4]
+rotation_deg = [0, 90, 0]
+position = [-3, 0, 1]
+density = 1e-9
+[[body.solids]]
+kind = "ellipsoid"
+size = [2, 4, 6]
+density = 1e-9
+"#;
+        // The other two weigh nothing beside the box, so that its centre is the body's.
+        let parts = parts(text)?;
+        let [cube, cylinder, ellipsoid] = parts.as_slice() else {
+            return Err(SceneError::Edit("three parts".to_owned()));
+        };
+        let kinds = [cube, cylinder, ellipsoid].map(|part| part.kind);
+        assert_eq!(kinds, [PartKind::Box, PartKind::Cylinder, PartKind::Ellipsoid]);
+        assert_eq!([cube.size, ellipsoid.size], [DVec3::new(1.0, 2.0, 3.0), DVec3::new(2.0, 4.0, 6.0)]);
+        // To the share of the weight of the others.
+        assert!(cube.centre.length() < 1e-7 && (cylinder.centre - DVec3::new(-4.0, 0.0, 1.0)).length() < 1e-7);
+        assert!(near(cylinder.body_from_part * DVec3::Z, DVec3::X), "its axis is turned from z to x");
+        Ok(())
+    }
+
+    #[test]
+    fn a_cylinder_and_an_ellipsoid_have_the_inertia_of_books() -> Result<(), SceneError> {
+        let inertia = |text: &str| Ok::<_, SceneError>(Scene::check(&SceneFile::parse(text)?)?.body.inertia());
+        // A mass of 4/3 π abc: m/5 (b² + c²) with the semi-axes 1, 2, 3.
+        let mass = 4.0 / 3.0 * std::f64::consts::PI * 6.0;
+        let found = inertia("body.solids = [{ kind = 'ellipsoid', size = [2, 4, 6], density = 1 }]")?;
+        assert!(near(found.x_axis / mass, DVec3::new(13.0 / 5.0, 0.0, 0.0)));
+        // π r² l, and m r²/2 about its own axis.
+        let mass = std::f64::consts::PI * 4.0 * 3.0;
+        let found = inertia("body.solids = [{ kind = 'cylinder', size = [4, 4, 3], density = 1 }]")?;
+        assert!(near(found.z_axis / mass, DVec3::new(0.0, 0.0, 2.0)));
+        Ok(())
+    }
+
+    #[test]
+    fn moments_are_drawn_as_the_solid_that_has_them() -> Result<(), SceneError> {
+        let drawn = |form: &str, moments: &str| -> Result<(PartKind, DVec3), SceneError> {
+            let parts = parts(&format!("body = {{ moments = {moments}, form = '{form}' }}"))?;
+            Ok(parts.first().map(|part| (part.kind, part.size)).unwrap_or_default())
+        };
+        // m/12 (b² + c²) of 1 kg with the edges 3, 2, 1, and m/5 (b² + c²) of the semi-axes 3, 2, 1.
+        let (kind, size) = drawn("box", "[0.4166666666666667, 0.8333333333333334, 1.0833333333333333]")?;
+        assert!(kind == PartKind::Box && near(size, DVec3::new(3.0, 2.0, 1.0)), "{size}");
+        let (kind, size) = drawn("ellipsoid", "[1, 2, 2.6]")?;
+        assert!(kind == PartKind::Ellipsoid && near(size, DVec3::new(6.0, 4.0, 2.0)), "{size}");
+        assert_eq!(drawn("cylinder", "[1, 2, 3]")?, drawn("box", "[1, 2, 3]")?);
+        // Where no solid has them it is thin, a fiftieth of its length.
+        let (_, size) = drawn("box", "[1, 1, 5]")?;
+        assert_eq!(size.min_element(), 0.02 * size.max_element());
+        Ok(())
+    }
+
+    #[test]
+    fn what_is_drawn_of_a_tensor_lies_along_its_axes() -> Result<(), SceneError> {
+        let scene = Scene::check(&SceneFile::parse("body.inertia = [2, 2, 3, 0.5, 0, 0]")?)?;
+        let turned = scene.parts.first().map(|part| part.body_from_part).unwrap_or_default();
+        assert_eq!(turned, scene.body.body_from_principal());
+        assert!(so3::angle_between(turned, glam::DMat3::IDENTITY) > 0.1);
+        Ok(())
+    }
+}

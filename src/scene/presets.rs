@@ -58,3 +58,30 @@ pub fn preset(name: &str) -> Result<Preset, SceneError> {
         },
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{DEFAULT_PRESET, preset, presets};
+
+    #[test]
+    fn presets_stand_in_their_order_and_are_found_by_name() {
+        let presets = presets();
+        let order = |index: usize| presets.get(index).and_then(|preset| preset.read().ok()?.order);
+        let orders: Vec<_> = (0..presets.len()).map(order).collect();
+        assert!(orders.iter().all(Option::is_some) && orders.is_sorted(), "{orders:?}");
+        assert_eq!(presets.first().map(|preset| preset.name), Some(DEFAULT_PRESET));
+        for known in &presets {
+            assert!(preset(known.name).is_ok_and(|found| found.text == known.text && !found.text.is_empty()));
+        }
+    }
+
+    #[test]
+    fn a_scene_that_is_not_there_is_said() {
+        for (name, sentence) in [
+            ("flop", "scene `flop` is not known: the nearest is `flip`"),
+            ("x", "scene `x` is not known: `dzhanibekov scenes` lists them, or give the path of a .toml file"),
+        ] {
+            assert_eq!(preset(name).map_err(|error| error.to_string()).err().as_deref(), Some(sentence));
+        }
+    }
+}

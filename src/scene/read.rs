@@ -255,9 +255,8 @@ distance = 3
     }
 
     #[test]
-    fn what_is_no_scene_is_refused_in_the_words_of_the_file() {
+    fn a_value_that_is_not_taken_is_refused_in_the_words_of_the_file() {
         for (text, sentence) in [
-            // Types.
             (
                 "[body]\nmoments = [1, 2, 3, 4]",
                 "line 2: body.moments is an array of 4: it must be an array of 3 numbers (kg m²)",
@@ -308,6 +307,14 @@ distance = 3
             ),
             ("spin = 3", "line 1: spin is the number 3: it must be a table"),
             ("[[spin]]\nrate = 3", "line 1: spin is an array of 1: it must be a table"),
+        ] {
+            assert_eq!(said(text), sentence, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_scene_is_refused_in_one_sentence_with_its_line() {
+        for (text, sentence) in [
             // Solids.
             (
                 "[body]\nsolids = []",
