@@ -36,7 +36,8 @@ pub(super) fn names(context: &Context<'_>, pane: &mut Pane) {
         let reach = parts.map(|(centre, map, ..)| axis.dot(centre) + (map.transpose() * axis).abs().element_sum());
         let foot = axis * reach.fold(0.0, f32::max);
         if foot.is_finite() {
-            named_end(pane, foot, foot + axis * STUB, number, color, 0.0);
+            // Through a sphere that carries a trail.
+            named_end(pane, foot, foot + axis * STUB, number, color, 0.6);
         }
     }
 }

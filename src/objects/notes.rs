@@ -7,7 +7,7 @@ use crate::scene::Layout;
 const CAPTION_SIZE: f32 = 20.0;
 /// Of the rows of the legend, which may be many.
 const LEGEND_SIZE: f32 = 17.0;
-/// Columns that it mostly has, and the height of a row as a part of a pane's.
+/// Columns that it mostly has in half a picture, and the height of a row as a part of a pane's.
 const COLUMNS: usize = 2;
 const ROW_HEIGHT: f32 = 0.04;
 
@@ -36,7 +36,8 @@ pub(super) fn legend_height(context: &Context<'_>, space: Space) -> f32 {
     if ghosts == 0 || !holds_it || !context.settings.labels || !context.shows(notes) {
         return 0.0;
     }
-    let rows = (ghosts + 1).div_ceil(COLUMNS);
+    let columns = if context.scene.view.layout == Layout::Both { COLUMNS } else { 2 * COLUMNS };
+    let rows = (ghosts + 1).div_ceil(columns);
     (ROW_HEIGHT * rows as f32).min(0.25)
 }
 

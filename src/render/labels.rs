@@ -11,10 +11,10 @@ use crate::frame::{Label, Pane};
 const CLEARANCE: f32 = 5.0;
 /// How much a label gives to stay near its wanted direction, against covering a mark.
 const MARK_COST: f32 = 1.5;
-/// And against standing where something passes at times, and as much again for the part of the way for which it would.
-const PASSED_COST: [f32; 2] = [3.0, 6.0];
+/// And against standing where something passes at times, and for the part of its way on which it does so.
+const PASSED_COST: [f32; 2] = [1.0, 8.0];
 /// And against naming what it names at another place than the wanted one.
-const ELSEWHERE_COST: f32 = 1.0;
+const ELSEWHERE_COST: f32 = 2.0;
 /// Places along a way at which what passes is looked at, and how near to the way (in the pane's world) what follows it is.
 const PLACES: usize = 96;
 const FOLLOWS_WITHIN: f32 = 0.06;
@@ -229,9 +229,9 @@ mod tests {
             let mut pane = Pane::new(Area::WHOLE, camera, 0.0);
             pane.labels = vec![label(Vec3::ZERO, 1, false)];
             // From the anchor to the right, where the name would like to stand; what moves is at its far end now.
-            let way = (0..=50).map(|n| Vec3::new(0.0, 0.02 * n as f32, 0.0));
+            let way = (0..=50).map(|n| Vec3::new(0.0, 0.006 * n as f32, 0.0));
             pane.lines.push(Line { is_followed, ..Line::new(way, 2.0, Color::hex(0)) });
-            let (position, color) = (Vec3::Y, Color::hex(0));
+            let (position, color) = (Vec3::Y * 0.3, Color::hex(0));
             let (mark, rim) = (Mark::Disc, color);
             pane.markers.push(Marker { position, size: 16.0, mark, color, rim, hidden: 0.0, moves: true });
             let places = place(&pane, &PaneUniform::new(&pane, pixels, 1.0), &extents, &[], pixels, 1.0);
