@@ -19,6 +19,7 @@ mod times;
 mod trace;
 
 use std::ffi::OsString;
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -145,10 +146,10 @@ pub(crate) fn main() -> ExitCode {
             Some(failure) => Err(failure),
             None => {
                 // Help and version, asked for.
-                return match error.print() {
-                    Ok(()) => ExitCode::SUCCESS,
-                    Err(_) => ExitCode::FAILURE,
-                };
+                let stdout = Path::new("-");
+                output::check_place(stdout)
+                    .map_err(Failure::from)
+                    .and_then(|()| error.print().map_err(|error| output::io_failure(stdout, error)))
             }
         },
     };

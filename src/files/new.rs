@@ -46,3 +46,37 @@ fn create_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
         let _ = std::fs::remove_file(path);
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::write_new;
+
+    #[test]
+    fn many_at_once_get_a_file_each() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let place = folder.path();
+        std::fs::write(place.join("scene-2.toml"), "mine").expect("a file");
+        // A link that leads nowhere is a name that is taken.
+        #[cfg(unix)]
+        std::os::unix::fs::symlink("nowhere", place.join("scene-3.toml")).expect("a link");
+        let texts: Vec<String> = (0..40).map(|index| index.to_string()).collect();
+        let paths: Vec<_> = std::thread::scope(|scope| {
+            let writers: Vec<_> = texts
+                .iter()
+                .map(|text| scope.spawn(move || write_new(place, "scene", "toml", text.as_bytes())))
+                .collect();
+            writers.into_iter().map(|writer| writer.join().expect("no panic").expect("a file")).collect()
+        });
+        assert_eq!(paths.iter().collect::<BTreeSet<_>>().len(), texts.len());
+        for (path, text) in paths.iter().zip(&texts) {
+            assert_eq!(&std::fs::read_to_string(path).expect("a file"), text);
+        }
+        assert_eq!(std::fs::read_to_string(place.join("scene-2.toml")).expect("a file"), "mine");
+        assert!(!place.join("nowhere").exists());
+        // Nothing under way is left.
+        let left = std::fs::read_dir(place).expect("a folder").count();
+        assert_eq!(left, texts.len() + if cfg!(unix) { 2 } else { 1 });
+    }
+}
