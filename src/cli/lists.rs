@@ -121,14 +121,14 @@ pub(super) fn objects(arguments: &ListArguments) -> Result<(), Failure> {
             .iter()
             .map(|object| {
                 json!({ "name": object.name, "label": object.label, "view": space(object.space), "shown": object.shown,
-                        "about": object.help })
+                        "about": object.about })
             })
             .collect();
         return print(&format!("{:#}\n", json!(list)));
     }
     print(&table(OBJECTS.iter().map(|object| {
         let shown = if object.shown { "shown" } else { "not shown" };
-        [object.name, space(object.space), shown, object.label, object.help]
+        [object.name, space(object.space), shown, object.label, object.about]
     })))
 }
 

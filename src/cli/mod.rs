@@ -142,16 +142,7 @@ enum Command {
 pub(crate) fn main() -> ExitCode {
     let outcome = match Arguments::try_parse_from(scene_last(std::env::args_os())) {
         Ok(arguments) => run(arguments),
-        Err(error) => match failure::of_command_line(&error) {
-            Some(failure) => Err(failure),
-            None => {
-                // Help and version, asked for.
-                let stdout = Path::new("-");
-                output::check_place(stdout)
-                    .map_err(Failure::from)
-                    .and_then(|()| error.print().map_err(|error| output::io_failure(stdout, error)))
-            }
-        },
+        Err(error) => failure::of_command_line(&error).map_or_else(|| print_help(&error), Err),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -170,6 +161,13 @@ fn scene_last(words: impl Iterator<Item = OsString>) -> Vec<OsString> {
         words[dashes..].rotate_left(2);
     }
     words
+}
+
+/// Prints help or the version, which were asked for.
+fn print_help(asked: &clap::Error) -> Result<(), Failure> {
+    let stdout = Path::new("-");
+    output::check_place(stdout)?;
+    asked.print().map_err(|error| output::io_failure(stdout, error))
 }
 
 fn run(arguments: Arguments) -> Result<(), Failure> {

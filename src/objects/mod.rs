@@ -47,8 +47,8 @@ pub struct Object {
     pub space: Space,
     /// Whether it is shown where nobody says otherwise.
     pub shown: bool,
-    /// One sentence about it.
-    pub help: &'static str,
+    /// What it is, in one sentence.
+    pub about: &'static str,
     /// What it asks of the rest of the picture.
     role: Role,
     /// Adds it to a pane of that space.
@@ -81,64 +81,90 @@ const fn object(
     label: &'static str,
     space: Space,
     shown: bool,
-    help: &'static str,
     draw: fn(&Context<'_>, &mut Pane),
+    about: &'static str,
 ) -> Object {
-    Object { name, label, space, shown, help, role: Role::Plain, draw }
+    Object { name, label, space, shown, about, role: Role::Plain, draw }
 }
 
 /// The body, on which its axes are numbered.
-const BODY: Object =
-    object("body", "Body", World, true, "the body, its faces in the colours of its principal axes", body::draw);
+const BODY: Object = object("body", "Body", World, true, body::draw, "The body itself, its faces and edges");
 /// The axes that turn with it, which have their own numbers.
-const BODY_AXES: Object =
-    object("body-axes", "Axes of the body", World, false, "the principal axes, turning with the body", body_axes::axes);
+const BODY_AXES: Object = object(
+    "body-axes",
+    "Axes of the body",
+    World,
+    false,
+    body_axes::axes,
+    "The principal axes of the body, out of its faces",
+);
 /// The axes of momentum space, whose moments have a unit.
 const AXES: Object =
-    object("axes", "Principal axes", Momentum, true, "the principal axes 1, 2, 3 with their moments", axes::axes);
+    object("axes", "Principal axes", Momentum, true, axes::axes, "The principal axes through momentum space");
 /// The tip of M, which can be dragged where it is drawn.
-pub const TIP: Object = object("tip", "Tip of M", Momentum, true, "M, the momentum as the body sees it", tip::tip);
-
-/// The words of both spaces, under which there must be room.
+pub const TIP: Object = object("tip", "Tip of M", Momentum, true, tip::tip, "The tip of M, and the arrow to it");
+/// The words over the world, under which there must be room.
 const WORLD_NOTES: Object = object(
     "world-notes",
     "Words about the world",
     World,
     true,
-    "what is seen, and which method is which",
     notes::world,
+    "The caption over the world and the legend of the methods",
 );
+/// Likewise over momentum space.
 const MOMENTUM_NOTES: Object = object(
     "body-notes",
     "Words about the momentum sphere",
     Momentum,
     true,
-    "what is seen, and the unit of the moments",
     notes::momentum_space,
+    "The caption over momentum space",
 );
 
 /// All objects, in the order in which they are added.
 pub static OBJECTS: &[Object] = &[
-    object("shadow", "Shadow", World, true, "the body's soft shadow on the floor", floor::shadow),
-    object("plane", "Invariable plane", World, true, "the plane square to L, drawn as the floor", floor::plane),
+    object(
+        "shadow",
+        "Shadow",
+        World,
+        true,
+        floor::shadow,
+        "What the body would throw on the floor in light from above",
+    ),
+    object(
+        "plane",
+        "Invariable plane",
+        World,
+        true,
+        floor::plane,
+        "The floor: the plane across L on which the ellipsoid of inertia rolls",
+    ),
     object(
         "annulus",
         "Annulus of the herpolhode",
         World,
         false,
-        "the two circles between which it runs",
         floor::annulus,
+        "The ring of the plane within which the herpolhode stays",
     )
     .with(Role::OnPlane),
-    object("herpolhode", "Herpolhode", World, false, "the path of the contact point on the plane", floor::herpolhode)
-        .with(Role::OnPlane),
+    object(
+        "herpolhode",
+        "Herpolhode",
+        World,
+        false,
+        floor::herpolhode,
+        "The path of the point of contact on the plane",
+    )
+    .with(Role::OnPlane),
     object(
         "rolling-ellipsoid",
         "Poinsot's rolling ellipsoid",
         World,
         false,
-        "the inertia ellipsoid, which rolls on the plane without slipping",
         floor::rolling_ellipsoid,
+        "The ellipsoid of inertia, which rolls on the plane without slipping",
     )
     .with(Role::RollingEllipsoid),
     object(
@@ -146,44 +172,128 @@ pub static OBJECTS: &[Object] = &[
         "Rolling momentum sphere",
         World,
         false,
-        "the momentum sphere as the body carries it, L's tip on its polhode",
         body_axes::carried_sphere,
+        "The momentum sphere carried by the body, with the polhode on it",
     )
     .with(Role::MomentumSphere),
-    object("axis-trail", "Trail of the spin axis", World, false, "the way of the axis spun about", body_axes::trail),
-    object("axis-1-trail", "Trail of axis 1", World, false, "the way of axis 1", body_axes::trail_of_axis::<0>),
-    object("axis-2-trail", "Trail of axis 2", World, false, "the way of axis 2", body_axes::trail_of_axis::<1>),
-    object("axis-3-trail", "Trail of axis 3", World, false, "the way of axis 3", body_axes::trail_of_axis::<2>),
+    object(
+        "axis-trail",
+        "Trail of the spin axis",
+        World,
+        false,
+        body_axes::trail,
+        "The path of the tip of the axis that the body was spun about",
+    ),
+    object(
+        "axis-1-trail",
+        "Trail of axis 1",
+        World,
+        false,
+        body_axes::trail_of_axis::<0>,
+        "The path of the tip of the axis of the smallest moment",
+    ),
+    object(
+        "axis-2-trail",
+        "Trail of axis 2",
+        World,
+        false,
+        body_axes::trail_of_axis::<1>,
+        "The path of the tip of the axis of the middle moment",
+    ),
+    object(
+        "axis-3-trail",
+        "Trail of axis 3",
+        World,
+        false,
+        body_axes::trail_of_axis::<2>,
+        "The path of the tip of the axis of the largest moment",
+    ),
     BODY,
-    object("axis-names", "Numbers of the axes", World, true, "the numbers 1, 2, 3 on the body", body_axes::names),
+    object(
+        "axis-names",
+        "Numbers of the axes",
+        World,
+        true,
+        body_axes::names,
+        "The numbers 1, 2, 3 at the ends of the body's axes",
+    ),
     BODY_AXES,
     object(
         "ghosts",
         "Bodies of the other methods",
         World,
         true,
-        "the body as each other method has it",
         ghosts::bodies,
+        "The bodies of the methods that are compared, seen through",
     ),
-    object("momentum", "Angular momentum L", World, true, "L, fixed in the room", vectors::momentum),
+    object(
+        "momentum",
+        "Angular momentum L",
+        World,
+        true,
+        vectors::momentum,
+        "The arrow of the angular momentum, which never moves",
+    ),
     object(
         "omega",
         "Angular velocity ω",
         World,
         true,
-        "ω, the axis and rate of the turning",
         vectors::angular_velocity,
+        "The arrow of the angular velocity, which swings about L",
     ),
     WORLD_NOTES,
-    object("sphere", "Sphere |M| = |L|", Momentum, true, "all M of the length of L", surfaces::sphere),
-    object("ellipsoid", "Energy ellipsoid", Momentum, true, "all M of the same energy", surfaces::ellipsoid),
+    object(
+        "sphere",
+        "Sphere |M| = |L|",
+        Momentum,
+        true,
+        surfaces::sphere,
+        "The sphere that the tip of M cannot leave, for |M| stays the same",
+    ),
+    object(
+        "ellipsoid",
+        "Energy ellipsoid",
+        Momentum,
+        true,
+        surfaces::ellipsoid,
+        "The ellipsoid of all momenta of the same energy",
+    ),
     AXES,
-    object("level-sets", "Levels of the energy", Momentum, true, "paths of M at other energies", level_sets::draw),
-    object("separatrix", "Separatrix", Momentum, true, "the border between the two kinds of motion", separatrix::draw),
-    object("poles", "Steady spins", Momentum, true, "where M stays: a disc is stable, a cross is not", axes::poles),
-    object("polhode", "Polhode", Momentum, true, "the path of M: where sphere and ellipsoid meet", polhode::draw),
-    object("ghost-marks", "M of the other methods", Momentum, true, "M as each other method has it", ghosts::marks),
-    object("tail", "Tail of M", Momentum, true, "where M was a moment ago", tip::tail),
+    object(
+        "level-sets",
+        "Levels of the energy",
+        Momentum,
+        true,
+        level_sets::draw,
+        "The paths of M at other energies, on the sphere",
+    ),
+    object(
+        "separatrix",
+        "Separatrix",
+        Momentum,
+        true,
+        separatrix::draw,
+        "The two circles' border between paths about axis 1 and about axis 3",
+    ),
+    object(
+        "poles",
+        "Steady spins",
+        Momentum,
+        true,
+        axes::poles,
+        "The six steady spins: stable ones dots, unstable ones crosses",
+    ),
+    object("polhode", "Polhode", Momentum, true, polhode::draw, "The path of M: where sphere and ellipsoid cross"),
+    object(
+        "ghost-marks",
+        "M of the other methods",
+        Momentum,
+        true,
+        ghosts::marks,
+        "The tips of M of the methods that are compared",
+    ),
+    object("tail", "Tail of M", Momentum, true, tip::tail, "The way that the tip of M has just come"),
     TIP,
     MOMENTUM_NOTES,
 ];
@@ -266,7 +376,7 @@ mod tests {
     fn the_table_names_each_object_once_and_explains_it() {
         for (number, object) in OBJECTS.iter().enumerate() {
             assert!(OBJECTS[..number].iter().all(|other| other.name != object.name), "{} stands twice", object.name);
-            assert!(!object.help.is_empty() && !object.help.ends_with('.'), "{}: {}", object.name, object.help);
+            assert!(!object.about.is_empty() && !object.about.ends_with('.'), "{}: {}", object.name, object.about);
         }
         assert!(object_named(TIP.name).is_some_and(|row| row.space == TIP.space));
         for role in [Role::OnPlane, Role::RollingEllipsoid, Role::MomentumSphere] {
