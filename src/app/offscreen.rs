@@ -17,6 +17,7 @@ pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]
     let window = (width, height);
     let now = Instant::now();
     let mut session = Session::new(scene, Vec::new(), &Remembered::default(), now);
+    session.say_nothing();
     session.show_time(time);
 
     let context = egui::Context::default();

@@ -23,6 +23,10 @@ const SMALLEST: LogicalSize<f32> = LogicalSize::new(640.0, 400.0);
 /// What the bars of a desktop and the frame of a window take of a monitor (points).
 const BARS: f64 = 80.0;
 
+/// Size (points) of a window where nothing is known of the monitor, and the share of each side of one that a first window takes.
+const USUAL: [f64; 2] = [1280.0, 720.0];
+const FIRST_SHARE: f64 = 0.8;
+
 /// What desktops call the program.
 #[cfg(all(unix, not(target_vendor = "apple")))]
 const NAME: &str = "dzhanibekov";
@@ -282,7 +286,7 @@ impl OpenWindow {
         remembered.maximized = self.window.is_maximized();
         if !remembered.maximized && self.window.fullscreen().is_none() {
             let size = self.window.inner_size().to_logical::<f64>(self.window.scale_factor());
-            remembered.size = [size.width, size.height];
+            remembered.size = Some([size.width, size.height]);
         }
     }
 
@@ -325,12 +329,16 @@ fn open_screen(
 }
 
 /// A size (points) that fits the monitor a window will most likely open on.
-fn within_monitor(event_loop: &ActiveEventLoop, [width, height]: [f64; 2]) -> LogicalSize<f64> {
+fn within_monitor(event_loop: &ActiveEventLoop, remembered: Option<[f64; 2]>) -> LogicalSize<f64> {
     let monitor = event_loop.primary_monitor().or_else(|| event_loop.available_monitors().next());
     let Some(monitor) = monitor.filter(|monitor| monitor.size().width > 0) else {
+        let [width, height] = remembered.unwrap_or(USUAL);
         return LogicalSize::new(width, height);
     };
     let room = monitor.size().to_logical::<f64>(monitor.scale_factor());
+    // The first time it is large enough to be seen and small enough to leave the desktop in sight.
+    let share = [FIRST_SHARE * room.width, FIRST_SHARE * room.height];
+    let [width, height] = remembered.unwrap_or([share[0].max(USUAL[0]), share[1].max(USUAL[1])]);
     LogicalSize::new(width.min(room.width - BARS), height.min(room.height - BARS))
 }
 

@@ -125,7 +125,7 @@ mod tests {
         put("a.toml", b"title = \"A\"")?;
         put("b.toml", b"titel = \"B\"")?;
         put("c.toml", b"\xff\xfet\0i\0")?;
-        put("d.TOML", b"[spin]\naxis = 4")?;
+        put("d.TOML", b"[spin]\naxis = true")?;
         put("e.toml", &vec![b'#'; LARGEST_SCENE as usize + 1])?;
         put(".#a.toml", b"an editor's")?;
         put("readme.txt", b"no scene")?;
@@ -139,7 +139,7 @@ mod tests {
             })
             .collect();
         assert_eq!(said.len(), 5, "{said:?}");
-        for (said, wanted) in said.iter().zip(["a.toml A", "`title`", "UTF-16", "axis 4", "1048577"]) {
+        for (said, wanted) in said.iter().zip(["a.toml A", "`title`", "UTF-16", "whole number", "1048577"]) {
             assert!(said.contains(wanted), "{said} says nothing of {wanted}");
         }
         let empty = tempfile::tempdir()?;

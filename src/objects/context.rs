@@ -59,7 +59,7 @@ impl<'a> Context<'a> {
         let needs_room = shows_any(settings, |role| role == Role::RollingEllipsoid);
         let plane_height = if needs_room { OMEGA_HEIGHT.min(LONGEST_SEMI_AXIS / ratio) } else { OMEGA_HEIGHT };
         let turn = TAU / so3::norm(scene.start.body_angular_velocity(&scene.body));
-        let flip = poinsot::flip_period(&scene.body, scene.start.body_momentum);
+        let flip = poinsot::flip_period_of(&scene.body, &scene.start);
         let period = flip.unwrap_or(2.0 * turn).min(20.0 * turn);
         let reciprocal = |value: f64| if value.is_normal() { value.recip() } else { 0.0 };
         Self {

@@ -40,6 +40,10 @@ use undo::{Kind, Moment, Undo};
 const MESSAGE_TIME: Duration = Duration::from_secs(3);
 const READING_TIME: Duration = Duration::from_millis(60);
 
+/// How to go on, said once at the beginning.
+const FIRST_WORDS: &str =
+    "Space plays and pauses · PageDown next scene · drag to turn · click the sphere for another start · H all keys";
+
 /// The state behind a front end.
 #[derive(Debug)]
 pub struct Session {
@@ -83,7 +87,8 @@ impl Session {
     /// A session with a checked scene open; the slides are the scenes to go through, those built in where there are none.
     #[must_use]
     pub fn new(scene: Scene, slides: Vec<Slide>, remembered: &Remembered, now: Instant) -> Self {
-        let slides = if slides.is_empty() { built_in() } else { slides };
+        // Those built in stay within reach of scenes of one's own.
+        let slides: Vec<Slide> = slides.into_iter().chain(built_in()).collect();
         let place = slides.iter().position(|slide| slide.file.as_ref().is_ok_and(|f| f.title == scene.file.title));
         let opened = match place.and_then(|place| Some((place, slides.get(place)?))) {
             Some((place, slide)) => Opened {
@@ -124,6 +129,7 @@ impl Session {
             jumps: 0,
         };
         session.forget_the_past();
+        session.say(FIRST_WORDS);
         session
     }
 
@@ -324,6 +330,7 @@ impl Session {
             Command::SaveScene => return self.save(),
             Command::SaveTo(place) => return self.save_to(place),
             Command::SaveNothing => self.shown.saving = None,
+            Command::Say(text) => self.say(text),
             Command::FocusPanel => {
                 self.shown.panel = true;
                 return vec![Effect::FocusPanel];

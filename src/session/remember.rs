@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 #[serde(default)]
 #[allow(clippy::struct_excessive_bools, reason = "each is remembered by itself")]
 pub struct Remembered {
-    /// Width and height of the window (points).
-    pub size: [f64; 2],
+    /// Width and height of the window (points); none the first time.
+    pub size: Option<[f64; 2]>,
     /// Whether it filled the screen between the bars.
     pub maximized: bool,
     /// Factor on the size of text.
@@ -23,7 +23,7 @@ pub struct Remembered {
 
 impl Default for Remembered {
     fn default() -> Self {
-        Self { size: [1280.0, 720.0], maximized: false, text_size: 1.0, panel: true, slide: true, charts: false }
+        Self { size: None, maximized: false, text_size: 1.0, panel: true, slide: true, charts: false }
     }
 }
 
@@ -32,8 +32,8 @@ impl Remembered {
     #[must_use]
     pub fn read(text: &str) -> Self {
         let read: Self = toml::from_str(text).unwrap_or_default();
-        let is_sound =
-            read.size.iter().all(|side| (200.0..20_000.0).contains(side)) && (0.4..=4.0).contains(&read.text_size);
+        let is_sound = read.size.is_none_or(|size| size.iter().all(|side| (200.0..20_000.0).contains(side)))
+            && (0.4..=4.0).contains(&read.text_size);
         if is_sound { read } else { Self::default() }
     }
 

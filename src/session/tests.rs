@@ -101,8 +101,8 @@ fn a_time_too_many_steps_away_is_refused_in_words() -> Result<(), SceneError> {
 fn the_next_flip_is_gone_to_and_the_one_after_it() -> Result<(), SceneError> {
     let mut driven = Driven::new("flip")?;
     let start = driven.session.scene.start;
-    let first = poinsot::next_flip(&driven.session.scene.body, start.body_momentum).unwrap_or_default();
-    let period = poinsot::flip_period(&driven.session.scene.body, start.body_momentum).unwrap_or_default();
+    let first = poinsot::next_flip_of(&driven.session.scene.body, &start).unwrap_or_default();
+    let period = poinsot::flip_period_of(&driven.session.scene.body, &start).unwrap_or_default();
     for flip in 0..3 {
         driven.apply(Command::NextFlip);
         let wanted = first + f64::from(flip) * period;

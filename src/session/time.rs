@@ -123,10 +123,9 @@ impl Session {
 
 /// What can be said of a scene's motion before it is run.
 fn timeline_of(scene: &crate::scene::Scene) -> Timeline {
-    let momentum = scene.start.body_momentum;
     // A momentum that stays far from the middle axis circles; nobody would say that the body flips.
-    let first_flip = poinsot::next_flip(&scene.body, momentum).filter(|_| nearest_to_middle(scene) > TURNS_OVER);
-    let period = poinsot::flip_period(&scene.body, momentum).filter(|_| first_flip.is_some());
+    let first_flip = poinsot::next_flip_of(&scene.body, &scene.start).filter(|_| nearest_to_middle(scene) > TURNS_OVER);
+    let period = poinsot::flip_period_of(&scene.body, &scene.start).filter(|_| first_flip.is_some());
     let rate = so3::norm(scene.start.body_angular_velocity(&scene.body));
     // Where it never flips: ten turns, or ten seconds at rest.
     let turns = if rate > 0.0 { 20.0 * std::f64::consts::PI / rate } else { 10.0 };

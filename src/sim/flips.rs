@@ -25,7 +25,7 @@ impl FlipWatch {
         // Where the motion that the method had reached at the earlier of the two moments goes through 0: however much time
         // lies between two looks, and whatever the method did before.
         let (earlier, state) = if time < now.0 { (time, before) } else { now };
-        if let Some(after) = poinsot::next_flip(body, state.body_momentum) {
+        if let Some(after) = poinsot::next_flip_of(body, &state) {
             let crossed = earlier + after;
             self.between = self.latest.map(|latest| (crossed - latest).abs());
             self.latest = Some(crossed);
@@ -56,7 +56,7 @@ mod tests {
     #[test]
     fn the_time_between_flips_does_not_depend_on_how_often_one_looks() -> Result<(), SceneError> {
         let scene = Scene::check(&preset("flip")?.read()?)?;
-        let period = poinsot::flip_period(&scene.body, scene.start.body_momentum).unwrap_or_default();
+        let period = poinsot::flip_period_of(&scene.body, &scene.start).unwrap_or_default();
         for direction in [1.0, -1.0] {
             let mut simulation = Simulation::new(&scene);
             let mut watch = FlipWatch::default();

@@ -84,7 +84,7 @@ fn edges_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             hint: "Edge of the solid box; three clearly different edges give three different moments",
         };
         let mut centimetres = *edge * 100.0;
-        if row.ui(ui, &mut centimetres).changed() {
+        if row.ui(ui, &mut centimetres, commands).changed() {
             *edge = centimetres / 100.0;
             changed = true;
         }
@@ -123,7 +123,7 @@ fn moments_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             hint: "Moment of inertia about this axis of the body",
         };
         let mut shown = *moment * per_unit;
-        if row.ui(ui, &mut shown).changed() {
+        if row.ui(ui, &mut shown, commands).changed() {
             *moment = shown / per_unit;
             changed = true;
         }

@@ -1,7 +1,7 @@
 //! Two charts below the picture: the angular velocity in the body, and the errors of the methods.
 
 use egui::{Color32, RichText, Ui};
-use egui_plot::{Corner, Legend, Line, LineStyle, Plot, PlotPoints, Points, VLine};
+use egui_plot::{Line, LineStyle, Plot, PlotPoints, Points, VLine};
 
 use super::numbers::{power_of_ten, significant, trimmed};
 use super::timeline::round_step;
@@ -91,15 +91,25 @@ impl Charts {
     }
 }
 
+/// The names of the methods in their colours, above the graph, where they cover nothing of it.
+fn method_names(ui: &mut Ui, runners: &[&'static Method], look: &Look<'_>) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = egui::vec2(10.0, 0.0);
+        for method in runners {
+            ui.label(look.method_text(method).small());
+        }
+    });
+}
+
 fn errors_graph(kind: Kind, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let runners: Vec<&'static Method> =
         std::iter::once(look.sim.main()).chain(look.sim.ghosts()).map(Runner::method).collect();
+    method_names(ui, &runners, look);
     let is_dark = ui.visuals().dark_mode;
     let response = plot("errors", look)
         .default_y_bounds(FLOOR, 1.0)
         .y_axis_formatter(|mark, _| if mark.value.fract() == 0.0 { power_of_ten(mark.value) } else { String::new() })
         .y_grid_spacer(egui_plot::uniform_grid_spacer(|_| [20.0, 10.0, 5.0]))
-        .legend(Legend::default().position(Corner::RightTop).background_alpha(0.6).text_style(egui::TextStyle::Small))
         .show(ui, |plot| {
             for (index, method) in runners.iter().enumerate() {
                 let color = look.color_of(method);

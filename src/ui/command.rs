@@ -146,6 +146,8 @@ pub enum Command {
     SaveTo(Option<String>),
     /// Leaves a question about saving unanswered.
     SaveNothing,
+    /// Shows a sentence for a while.
+    Say(String),
     /// Moves the keyboard's focus into the panel.
     FocusPanel,
 }

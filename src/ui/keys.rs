@@ -80,9 +80,9 @@ pub static BINDINGS: &[Binding] = &[
     row("Shift+R", &[(Down, Key::R)], "the scene as it was opened", Command::Reopen, silent),
     row("N", &[(Up, Key::N)], "to the next flip", Command::NextFlip, silent),
     row("P", &[(Up, Key::P)], "poke", Command::Poke, silent),
-    row("1", &[(Up, Key::Num1)], "spin about axis 1 (smallest moment)", Command::SpinAxis(1), silent),
-    row("2", &[(Up, Key::Num2)], "spin about axis 2 (middle moment)", Command::SpinAxis(2), silent),
-    row("3", &[(Up, Key::Num3)], "spin about axis 3 (largest moment)", Command::SpinAxis(3), silent),
+    row("1", &[(Any, Key::Num1)], "spin about axis 1 (smallest moment)", Command::SpinAxis(1), silent),
+    row("2", &[(Any, Key::Num2)], "spin about axis 2 (middle moment)", Command::SpinAxis(2), silent),
+    row("3", &[(Any, Key::Num3)], "spin about axis 3 (largest moment)", Command::SpinAxis(3), silent),
     row("PageDown", &[(Up, Key::PageDown)], "next scene", Command::NextScene, silent),
     row("PageUp", &[(Up, Key::PageUp)], "previous scene", Command::PreviousScene, silent),
     row("F", &[(Up, Key::F)], "frame: world, body, both", Command::NextLayout, |look| {

@@ -34,7 +34,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         logarithmic: Some(0.01),
         hint: "Simulated time that one step of the method covers",
     };
-    if step.ui(ui, &mut milliseconds).changed() && milliseconds > 0.0 {
+    if step.ui(ui, &mut milliseconds, commands).changed() && milliseconds > 0.0 {
         commands.push(Command::SetStep(milliseconds * 1e-3));
     }
 }

@@ -120,23 +120,26 @@ impl Panels {
         let frame = Frame::new().inner_margin(margin);
         let panel = Panel::right("controls").frame(frame).resizable(false).show_separator_line(false);
         panel.exact_size(style::PANEL_WIDTH).show(ui, |ui| {
+            // Room for the scroll bar, so that nothing moves when it comes.
+            ui.set_max_width(ui.available_width() - 10.0);
+            let title = scene_picker(ui, look, commands);
+            if std::mem::take(&mut self.focus_wanted) {
+                // Back to where it was, as after a number typed; else to the beginning.
+                let last = self.last_focus.filter(|last| ui.ctx().read_response(*last).is_some());
+                ui.memory_mut(|memory| memory.request_focus(last.unwrap_or(title.id)));
+            }
+            let tabs = [
+                (Tab::Motion, "Motion", "The body and how it starts"),
+                (Tab::Methods, "Methods", "How the motion is followed, and how well"),
+                (Tab::Picture, "Picture", "What is drawn, and pictures and scenes to keep"),
+            ];
+            if let Some(tab) = widgets::choice(ui, Some(self.tab), &tabs) {
+                self.tab = tab;
+            }
+            // They stay while what is below them scrolls.
+            ui.set_max_width(ui.available_width() + 10.0);
             ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-                // Room for the scroll bar, so that nothing moves when it comes.
                 ui.set_max_width(ui.available_width() - 10.0);
-                let title = scene_picker(ui, look, commands);
-                if std::mem::take(&mut self.focus_wanted) {
-                    // Back to where it was, as after a number typed; else to the beginning.
-                    let last = self.last_focus.filter(|last| ui.ctx().read_response(*last).is_some());
-                    ui.memory_mut(|memory| memory.request_focus(last.unwrap_or(title.id)));
-                }
-                let tabs = [
-                    (Tab::Motion, "Motion", "The body and how it starts"),
-                    (Tab::Methods, "Methods", "How the motion is followed, and how well"),
-                    (Tab::Picture, "Picture", "What is drawn, and pictures and scenes to keep"),
-                ];
-                if let Some(tab) = widgets::choice(ui, Some(self.tab), &tabs) {
-                    self.tab = tab;
-                }
                 match self.tab {
                     Tab::Motion => {
                         body::show(ui, look, commands);
@@ -161,7 +164,8 @@ fn strip_frame(bottom: i8) -> Frame {
 
 fn transport_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let strip = Panel::bottom("transport").frame(strip_frame(4)).show_separator_line(false);
-    strip.exact_size(98.0).show(ui, |ui| transport::show(ui, look, commands));
+    let row = if transport::is_narrow(ui.available_width() - 32.0) { transport::SECOND_ROW + 6.0 } else { 0.0 };
+    strip.exact_size(98.0 + row).show(ui, |ui| transport::show(ui, look, commands));
 }
 
 fn scene_picker(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) -> egui::Response {

@@ -63,6 +63,97 @@ pub fn duration(seconds: f64) -> String {
     }
 }
 
+/// What a unit measures; numbers are turned into one unit of the same kind from another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Measures {
+    Length,
+    Time,
+    Angle,
+    Rate,
+    Inertia,
+    Energy,
+}
+
+/// The units that a field takes, each with its size in SI units.
+const UNITS: &[(&str, Measures, f64)] = &[
+    ("m", Measures::Length, 1.0),
+    ("cm", Measures::Length, 1e-2),
+    ("mm", Measures::Length, 1e-3),
+    ("s", Measures::Time, 1.0),
+    ("ms", Measures::Time, 1e-3),
+    ("µs", Measures::Time, 1e-6),
+    ("us", Measures::Time, 1e-6),
+    ("min", Measures::Time, 60.0),
+    ("°", Measures::Angle, std::f64::consts::PI / 180.0),
+    ("deg", Measures::Angle, std::f64::consts::PI / 180.0),
+    ("rad", Measures::Angle, 1.0),
+    ("rad/s", Measures::Rate, 1.0),
+    ("°/s", Measures::Rate, std::f64::consts::PI / 180.0),
+    ("deg/s", Measures::Rate, std::f64::consts::PI / 180.0),
+    ("rpm", Measures::Rate, std::f64::consts::PI / 30.0),
+    ("kgm²", Measures::Inertia, 1.0),
+    ("kgm2", Measures::Inertia, 1.0),
+    ("gm²", Measures::Inertia, 1e-3),
+    ("gm2", Measures::Inertia, 1e-3),
+    ("gcm²", Measures::Inertia, 1e-7),
+    ("J", Measures::Energy, 1.0),
+    ("mJ", Measures::Energy, 1e-3),
+];
+
+/// A number as people write it, in this unit: `9.5×10⁻⁵`, `1/3`, `0,5`, `5 mm` in a field of centimetres. None where it is no
+/// number, or one of another kind.
+#[must_use]
+pub fn read(text: &str, unit: &str) -> Option<f64> {
+    let mut marked: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    // A power that is set high stands after the 10; elsewhere a raised 2 belongs to a unit.
+    for times in ["×10", "·10", "x10", "*10"] {
+        if let Some((before, after)) = marked.split_once(times) {
+            let power: String = after.trim_start_matches('^').replace('²', "2");
+            marked = format!("{before}e{power}");
+            break;
+        }
+    }
+    let plain: String = marked.chars().map(plainly).collect();
+    let plain = plain.strip_prefix('+').unwrap_or(&plain);
+    let end = plain
+        .char_indices()
+        .rev()
+        .find(|(_, c)| c.is_ascii_digit() || *c == '.')
+        .map_or(0, |(at, c)| at + c.len_utf8());
+    // The 2 of a unit squared is none of the number's.
+    let end = plain.find("kgm2").or(plain.find("gm2")).map_or(end, |at| at.min(end));
+    let (number, own) = plain.split_at(end);
+    let value = match number.split_once('/') {
+        Some((above, below)) => above.parse::<f64>().ok()? / below.parse::<f64>().ok()?,
+        None => number.parse::<f64>().ok()?,
+    };
+    let of = |name: &str| UNITS.iter().find(|(known, ..)| *known == name);
+    let wanted: String = unit.chars().filter(|c| !c.is_whitespace()).collect();
+    let factor = if own.is_empty() || own == wanted {
+        1.0
+    } else {
+        let (given, field) = (of(own)?, of(&wanted)?);
+        if given.1 != field.1 {
+            return None;
+        }
+        given.2 / field.2
+    };
+    (value * factor).is_finite().then_some(value * factor)
+}
+
+/// A sign as a computer writes it: of typeset minus signs, commas and powers.
+fn plainly(character: char) -> char {
+    match character {
+        '−' | '–' | '⁻' => '-',
+        ',' => '.',
+        '⁰' => '0',
+        '¹' => '1',
+        '³' => '3',
+        '⁴'..='⁹' => char::from(b'4' + (character as u32 - '⁴' as u32) as u8),
+        other => other,
+    }
+}
+
 fn superscript(digits: &str) -> String {
     digits
         .chars()
@@ -96,7 +187,40 @@ pub fn power_of_ten(exponent: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::duration;
+    use super::{duration, read, scientific, significant};
+
+    #[test]
+    fn what_a_field_shows_it_also_takes() {
+        for (text, unit, value) in [
+            ("9.5×10⁻⁵", "°", 9.5e-5),
+            ("9.5×10⁻⁵°", "°", 9.5e-5),
+            ("5", "cm", 5.0),
+            ("5 cm", "cm", 5.0),
+            ("5 mm", "cm", 0.5),
+            ("1/3", "rad/s", 1.0 / 3.0),
+            ("0,5", "J", 0.5),
+            ("−30 °", "°", -30.0),
+            ("3 kg m²", "g m²", 3000.0),
+            ("1.5·10³", "s", 1500.0),
+            ("2×10^-3 s", "ms", 2.0),
+            ("+4e-2", "ms", 0.04),
+            ("60 rpm", "rad/s", std::f64::consts::TAU),
+            ("2×10²", "J", 200.0),
+        ] {
+            let found = read(text, unit).unwrap_or(f64::NAN);
+            assert!((found - value).abs() <= 4.0 * f64::EPSILON * value.abs(), "{text}: {found}");
+        }
+        for (text, unit) in [("abc", "°"), ("", "°"), ("5 mm", "°"), ("1/0", "s"), ("5 parsec", "cm"), ("1e999", "s")]
+        {
+            assert_eq!(read(text, unit), None, "{text}");
+        }
+        for value in [1.2e-16, 9.5e-5, 0.0, 123.4, 7e9] {
+            let digits = read(&scientific(value), "s").unwrap_or(f64::NAN);
+            assert!((digits - value).abs() <= 0.05 * value, "{value}");
+            let digits = read(&significant(value, 4), "s").unwrap_or(f64::NAN);
+            assert!((digits - value).abs() <= 0.05 * value, "{value}");
+        }
+    }
 
     #[test]
     fn a_long_time_is_said_in_years() {

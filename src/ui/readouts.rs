@@ -17,7 +17,7 @@ pub(super) fn motion(ui: &mut Ui, look: &Look<'_>) {
     let scene = look.scene;
     let start = &scene.start;
     section(ui, "Motion");
-    let class = poinsot::classify(&scene.body, start.body_momentum);
+    let class = poinsot::class_of(&scene.body, start);
     let flips = look.timeline.first_flip.is_some();
     note(
         ui,

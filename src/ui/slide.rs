@@ -3,6 +3,7 @@
 use egui::{Color32, FontId, Frame, Margin, Panel, RichText, Ui};
 
 use super::{Look, style};
+use crate::scene::SceneFile;
 
 /// Sizes of the title and of the words (points).
 const TITLE: f32 = 26.0;
@@ -14,6 +15,8 @@ const BELOW: i8 = 12;
 const BETWEEN: f32 = 5.0;
 /// How strong the words are that may no longer be true.
 const FADED: f32 = 0.45;
+/// Most signs that are named which no font has.
+const MOST_MISSING: usize = 12;
 
 /// Shows it, where the scene says anything, and only as many of its parts as this height (points) holds.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
@@ -31,6 +34,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
         (title, TITLE, text_color),
         (lines(&file.text), WORDS, text_color.gamma_multiply(faded)),
         (lines(&file.question), WORDS, accent.gamma_multiply(faded)),
+        (missing(ui, file), WORDS, style::warning(ui.visuals().dark_mode)),
     ];
     let width = ui.available_width() - 2.0 * f32::from(SIDE);
     let mut height = f32::from(ABOVE) + f32::from(BELOW);
@@ -56,6 +60,26 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
 /// A text with the line breaks that were written, and no space around them.
 fn lines(text: &str) -> String {
     text.trim().lines().map(str::trim).collect::<Vec<_>>().join("\n")
+}
+
+/// Which signs of a scene's words no font here has, in a sentence; empty where there are none.
+fn missing(ui: &Ui, file: &SceneFile) -> String {
+    let mut signs: Vec<char> = [&file.title, &file.text, &file.question]
+        .into_iter()
+        .flat_map(|text| text.chars())
+        .filter(|sign| !sign.is_whitespace() && !sign.is_ascii())
+        .collect();
+    signs.sort_unstable();
+    signs.dedup();
+    let font = FontId::proportional(WORDS);
+    let is_missing = |sign: &char| !ui.ctx().fonts_mut(|fonts| fonts.has_glyph(&font, *sign));
+    let codes: Vec<String> = signs
+        .iter()
+        .filter(|sign| is_missing(sign))
+        .take(MOST_MISSING)
+        .map(|sign| format!("U+{:04X}", *sign as u32))
+        .collect();
+    if codes.is_empty() { codes.concat() } else { format!("No font here has these signs: {}", codes.join(", ")) }
 }
 
 /// Height of a text in lines of this width (points).

@@ -71,11 +71,11 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         logarithmic: None,
         hint: "Angular speed at the start",
     };
-    if tilt.ui(ui, &mut spin.tilt_deg).changed() {
+    if tilt.ui(ui, &mut spin.tilt_deg, commands).changed() {
         commands.push(Command::SetTilt(spin.tilt_deg));
     }
     exactly(ui, spin, commands);
-    if rate.ui(ui, &mut spin.rate).changed() {
+    if rate.ui(ui, &mut spin.rate, commands).changed() {
         commands.push(Command::SetRate(spin.rate));
     }
     energy(ui, look, commands);
@@ -127,7 +127,7 @@ fn energy(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         logarithmic: None,
         hint: "Energy K at this momentum: least for the spin about axis 3, most about axis 1; the tick is the separatrix",
     };
-    let response = row.ui(ui, &mut value);
+    let response = row.ui(ui, &mut value, commands);
     if response.changed() {
         commands.push(Command::SetEnergy(value.clamp(least, most)));
     }

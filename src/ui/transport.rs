@@ -14,6 +14,9 @@ pub const SPEED_POWERS: (i32, i32) = (-6, 3);
 /// Room that the speed takes, and the words about flips (points).
 const SPEED_WIDTH: f32 = 205.0;
 const FLIPS_WIDTH: f32 = 250.0;
+/// Room that the buttons take, with the clock behind them, and height of the second row where there is one (points).
+const BUTTONS_WIDTH: f32 = 440.0;
+pub(super) const SECOND_ROW: f32 = 44.0;
 /// How long before a flip (s of real time) its countdown lights up.
 const SOON: f64 = 1.0;
 
@@ -22,6 +25,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     timeline::show(ui, look, commands);
     ui.add_space(2.0);
     let clock = &look.sim.clock;
+    let is_narrow = is_narrow(ui.available_width());
     ui.horizontal(|ui| {
         ui.set_height(42.0);
         let mut button = |ui: &mut Ui, icon, name: &str, size, state: Option<bool>, command: Command| {
@@ -41,16 +45,34 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             button(ui, Icon::Next, "to the next flip", 34.0, None, Command::NextFlip);
         });
         ui.add_space(8.0);
-        let time = format!("{:.2} s", look.sim.time()).replace('-', "−");
-        ui.add_sized([118.0, 30.0], egui::Label::new(RichText::new(time).monospace().size(22.0)).halign(Align::Min));
-        // Large text or a small window: what there is no room for goes, the least needed first.
-        if ui.available_width() > FLIPS_WIDTH {
+        clock_ui(ui, look);
+        if !is_narrow {
             flips(ui, look);
-        }
-        if ui.available_width() > SPEED_WIDTH {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| speed(ui, look, commands));
         }
     });
+    // Large text or a small window: the rest has a row of its own.
+    if is_narrow {
+        ui.horizontal(|ui| {
+            ui.set_height(SECOND_ROW);
+            flips(ui, look);
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| speed(ui, look, commands));
+        });
+    }
+}
+
+/// Whether a strip of this width (points) has no room for everything in one row.
+pub(super) fn is_narrow(width: f32) -> bool {
+    width < BUTTONS_WIDTH + FLIPS_WIDTH + SPEED_WIDTH
+}
+
+/// The time, with as many decimals as one step shows in.
+fn clock_ui(ui: &mut Ui, look: &Look<'_>) {
+    let decimals = (-look.sim.step_length().log10()).ceil().clamp(2.0, 6.0) as usize;
+    let time = format!("{:.decimals$} s", look.sim.time()).replace('-', "−");
+    // It keeps its place while the last digits run.
+    let width = 13.5 * time.chars().count().max(decimals + 5) as f32;
+    ui.add_sized([width, 30.0], egui::Label::new(RichText::new(time).monospace().size(22.0)).halign(Align::Min));
 }
 
 fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
@@ -112,10 +134,13 @@ fn flips(ui: &mut Ui, look: &Look<'_>) {
                 ui.label(large("it does not flip".to_owned()));
             }
         }
-        let class = poinsot::classify(&look.scene.body, look.scene.start.body_momentum);
-        if let (MotionClass::Separatrix, Some(period)) = (class, look.timeline.period) {
-            // The start on the separatrix is rounded like any number: what flips it again is that.
-            ui.label(words(format!("once; again after {} by rounding alone", numbers::duration(period))));
+        let start = &look.scene.start;
+        let as_rounded = poinsot::classify(&look.scene.body, start.body_momentum);
+        if let (MotionClass::Separatrix, Some(period)) = (as_rounded, look.timeline.period) {
+            // Few starts on the separatrix can be written down: this one is beside it by the rounding of a number.
+            ui.label(words(format!("a rounding beside the separatrix: every {}", numbers::duration(period))));
+        } else if look.timeline.first_flip.is_some() && look.timeline.period.is_none() {
+            ui.label(words("once in all time: on the separatrix".to_owned()));
         } else if let Some(period) = look.timeline.period {
             // Counted from the start, wherever one came from.
             let count = next.map_or(0.0, |next| flips_since_start(look.timeline, next, speed < 0.0));

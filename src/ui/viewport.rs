@@ -30,7 +30,7 @@ impl Viewport {
         let rect = ui.available_rect_before_wrap();
         let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         response.widget_info(|| {
-            let class = poinsot::classify(&look.scene.body, look.scene.start.body_momentum).label();
+            let class = poinsot::class_of(&look.scene.body, &look.scene.start).label();
             let seen = format!("{}: the body seen from the room, and its momentum sphere; {class}", look.title());
             egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, seen)
         });

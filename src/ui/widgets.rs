@@ -1,8 +1,11 @@
 //! The few widgets that the panels are made of.
 
+use std::cell::Cell;
+
 use egui::{Align, Button, DragValue, Layout, Response, RichText, Slider, Ui, vec2};
 
-use super::numbers::{significant, trimmed};
+use super::Command;
+use super::numbers::{read, significant, trimmed};
 
 /// Width of the labels in front of sliders (points).
 const LABEL_WIDTH: f32 = 56.0;
@@ -27,8 +30,9 @@ pub(super) struct NumberRow<'a> {
 }
 
 impl NumberRow<'_> {
-    /// Shows it; the response tells whether the value changed.
-    pub(super) fn ui(self, ui: &mut Ui, value: &mut f64) -> Response {
+    /// Adds the row to the panel; the response tells whether the value changed. What is typed and is no number is said to be none;
+    /// past the ends of the slider numbers are kept.
+    pub(super) fn ui(self, ui: &mut Ui, value: &mut f64, commands: &mut Vec<Command>) -> Response {
         let (low, high) = self.range;
         let hint = format!("{} ({})", self.hint, self.unit.trim());
         ui.horizontal(|ui| {
@@ -52,14 +56,17 @@ impl NumberRow<'_> {
             let slid = ui.add(slider).labelled_by(label.id).on_hover_text(&hint);
             let speed = if self.logarithmic.is_some() { value.abs().max(1e-9) * 0.01 } else { (high - low) / 500.0 };
             let before = *value;
+            let refused = Cell::new(None);
             let number = DragValue::new(value)
                 .update_while_editing(false)
-                .range(low..=high)
-                .clamp_existing_to_range(false)
                 .speed(speed)
                 .suffix(self.unit)
                 .custom_formatter(|number, _| fitting(number, self.unit))
-                .custom_parser(|text| text.replace('−', "-").replace(',', ".").parse().ok());
+                .custom_parser(|text| {
+                    let read = read(text, self.unit);
+                    refused.set(read.is_none().then(|| text.to_owned()));
+                    read
+                });
             let mut typed = ui
                 .allocate_ui_with_layout(
                     vec2(VALUE_WIDTH, ui.spacing().interact_size.y),
@@ -76,6 +83,12 @@ impl NumberRow<'_> {
             if typed.changed() && !typed.dragged() && fitting(*value, self.unit) == fitting(before, self.unit) {
                 *value = before;
                 typed.flags.remove(egui::response::Flags::CHANGED);
+            }
+            if let Some(text) = refused.take().filter(|_| typed.lost_focus()) {
+                let (label, unit) = (self.label, self.unit.trim());
+                commands.push(Command::Say(format!(
+                    "“{text}” is no number for {label} ({unit}): write it as 5, 0.5, 1/3, 9.5×10⁻⁵, with a unit if you like"
+                )));
             }
             slid | typed
         })
