@@ -37,8 +37,7 @@ pub(crate) struct Orbit {
     pub(crate) differences: [DoubleDouble; 3],
     /// The momentum at the start.
     pub(crate) momentum: DVec3,
-    /// `M₁` and `M₃` over a power of two, `2^beside.1`, that keeps their digits however close to the middle axis they are.
-    pub(crate) beside: ([f64; 2], i32),
+    start: StartPoint,
     /// `ℓ = |M|`.
     pub(crate) ell: DoubleDouble,
     /// `B₁, B₂, B₃`.
@@ -57,11 +56,14 @@ pub(crate) struct Orbit {
     pub(crate) rate_exponent: i32,
 }
 
-/// Components this far, in powers of two, below the momentum have an exponent of their own.
-const FAR_BELOW: i32 = -300;
-
-/// And those this far below it, or below their own exponent, are as good as 0.
-const NOTHING: i32 = -900;
+/// Where on its orbit a start is: cn and sn of `u₀`, and `½(cn + dn)`, which may be as small as a number can be, over `2^exponent`.
+#[derive(Clone, Copy, Debug, Default)]
+struct StartPoint {
+    cn: f64,
+    sn: f64,
+    half_sum: f64,
+    exponent: i32,
+}
 
 /// Below this `k′` the functions differ from their limits by less than `k′² ln k′`: nothing.
 const SMALL_COMPLEMENT: f64 = 1e-9;
@@ -72,8 +74,6 @@ struct StandardPosition {
     moments: [DoubleDouble; 3],
     differences: [DoubleDouble; 3],
     momentum: [Wide; 3],
-    /// The exponent that `M₁` and `M₃` share.
-    exponent_beside: i32,
     handedness: f64,
 }
 
@@ -93,19 +93,11 @@ impl StandardPosition {
         for (m, sign) in momentum.iter_mut().zip(signs) {
             *m = if sign < 0.0 { -*m } else { *m };
         }
-        // The two beside the middle axis share an exponent where both are small.
-        let exponents = [momentum[0], momentum[2]].into_iter().filter(|m| m.value.high != 0.0).map(|m| m.exponent);
-        let exponent_beside = exponents.max().filter(|&exponent| exponent < FAR_BELOW).unwrap_or(0);
-        for (i, m) in momentum.iter_mut().enumerate() {
-            let unit = if i == 1 { 0 } else { exponent_beside };
-            *m = if m.exponent < unit + NOTHING { Wide::ZERO } else { *m };
-        }
         Self {
             principal_from_standard: DMat3::from_cols(column(0), column(1), column(2)),
             moments: order.map(|i| start.moments[i]),
             differences: if about_largest { [i21, i31, i32] } else { [i32, i31, i21] },
             momentum,
-            exponent_beside,
             handedness: if about_largest { 1.0 } else { -1.0 },
         }
     }
@@ -119,12 +111,17 @@ impl StandardPosition {
     }
 }
 
+/// Two components over the power of two of the larger one: so they keep their digits, however far below the momentum they are.
+fn side_by_side(a: Wide, b: Wide) -> ([f64; 2], i32) {
+    let exponents = [a, b].into_iter().filter(|m| m.value.high != 0.0).map(|m| m.exponent);
+    let exponent = exponents.max().unwrap_or(0);
+    ([a, b].map(|m| m.in_unit(exponent).value()), exponent)
+}
+
 impl Orbit {
     /// The orbit of a start.
     pub(crate) fn new(start: &Start) -> Self {
         let position = StandardPosition::of(start);
-        let exponent = position.exponent_beside;
-        let beside = [0, 2].map(|i| position.momentum[i].in_unit(exponent).value());
         let plain = position.momentum.map(|m| m.in_unit(0));
         let momentum = DVec3::from_array(plain.map(DoubleDouble::value));
         let mut orbit = Self {
@@ -134,7 +131,7 @@ impl Orbit {
             exact_moments: position.moments,
             differences: position.differences,
             momentum,
-            beside: (beside, exponent),
+            start: StartPoint::default(),
             ell: (plain[0].squared() + plain[1].squared() + plain[2].squared()).sqrt(),
             amplitudes: momentum,
             handedness: position.handedness,
@@ -149,7 +146,7 @@ impl Orbit {
             orbit.set_rates(&position.momentum, start.difference);
         }
         if orbit.kind != Kind::Steady {
-            orbit.set_amplitudes();
+            orbit.set_amplitudes(&position.momentum);
         }
         orbit
     }
@@ -176,14 +173,20 @@ impl Orbit {
         self.complementary_modulus = (complementary_rate.in_unit(0).high / rate.high).min(1.0);
     }
 
-    /// `B₂/B₁ = √(I₂(I₃−I₁)/(I₁(I₃−I₂)))`, `B₃/B₂ = √(I₃(I₂−I₁)/(I₂(I₃−I₁)))`.
-    fn set_amplitudes(&mut self) {
+    /// `B₂/B₁ = √(I₂(I₃−I₁)/(I₁(I₃−I₂)))`, `B₃/B₂ = √(I₃(I₂−I₁)/(I₂(I₃−I₁)))`, and where the start is: `M/B`.
+    fn set_amplitudes(&mut self, momentum: &[Wide; 3]) {
         let [i1, i2, i3] = self.exact_moments.map(DoubleDouble::value);
         let [i21, i31, i32] = self.differences.map(DoubleDouble::value);
-        let m = self.momentum;
         let ratio = (i2 / i1 * (i31 / i32)).sqrt();
         let of_third = (i3 / i2 * (i21 / i31)).sqrt();
-        self.amplitudes = DVec3::new(m.x.hypot(m.y / ratio), m.y.hypot(m.x * ratio), m.z.hypot(m.y * of_third));
+        let ([x, y], beside_3) = side_by_side(momentum[0], momentum[1]);
+        let (b1, b2) = (x.hypot(y / ratio), y.hypot(x * ratio));
+        let [p, q] = power_of_two_of(beside_3);
+        self.amplitudes = DVec3::new(b1 * p * q, b2 * p * q, self.momentum.z.hypot(self.momentum.y * of_third));
+        let ([first, third], exponent) = side_by_side(momentum[0], momentum[2]);
+        let (cn, dn) = (first / self.amplitudes.x, third / self.amplitudes.z);
+        let half_sum = if self.kind == Kind::Separatrix { dn } else { 0.5 * (cn + dn) };
+        self.start = StartPoint { cn: x / b1, sn: self.handedness * y / b2, half_sum, exponent };
     }
 
     /// Two factors that take seconds to the orbit's units of time.
@@ -213,26 +216,22 @@ impl Orbit {
     ///
     /// Beside the separatrix `e^{−|u|} = ½(cn u + dn u)/(1 + |sn u|)`, of which the part that is small has an exponent of its own.
     pub(crate) fn start_phase(&self) -> DoubleDouble {
-        let [x, y, z] = (self.momentum / self.amplitudes).to_array();
+        let StartPoint { cn, sn, half_sum, exponent } = self.start;
         if self.kind == Kind::Steady {
             return DoubleDouble::ZERO;
         }
         if self.kind == Kind::Circling && self.complementary_modulus >= SMALL_COMPLEMENT {
-            return elliptic::incomplete_by_modulus(y * self.handedness, x, self.complementary_modulus).into();
+            return elliptic::incomplete_by_modulus(sn, cn, self.complementary_modulus).into();
         }
-        let ([first, third], exponent) = self.beside;
-        let sum = match self.kind {
-            Kind::Circling => first / self.amplitudes.x + third / self.amplitudes.z,
-            _ => 2.0 * third / self.amplitudes.z,
-        };
-        let own = double_double::exponent_of(sum);
+        let own = double_double::exponent_of(half_sum);
+        if exponent + own > -4 {
+            let [p, q] = power_of_two_of(exponent);
+            return (sn / (half_sum * p * q)).asinh().into();
+        }
         let [p, q] = power_of_two_of(-own);
-        let phase = if exponent + own > -4 {
-            (2.0 * y / (x + z)).asinh().abs().into()
-        } else {
-            double_double::LN_2 * f64::from(-(exponent + own)) + (2.0 * (1.0 + y.abs()) / (sum * p * q)).ln().into()
-        };
-        if y * self.handedness < 0.0 { -phase } else { phase }
+        let logarithm = ((1.0 + sn.abs()) / (half_sum * p * q)).ln();
+        let phase = double_double::LN_2 * f64::from(-(exponent + own)) + logarithm.into();
+        if sn < 0.0 { -phase } else { phase }
     }
 
     /// `K(k) = πλ/2ν` of the rate ν of `πu/2K`; infinite on the separatrix.

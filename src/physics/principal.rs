@@ -37,8 +37,8 @@ pub(crate) enum Given {
     Moments([[f64; 3]; 3]),
     /// Edges of a box along the principal axes.
     Edges([f64; 3]),
-    /// A tensor's `xx, yy, zz, xy, xz, yz`, each a sum of three.
-    Tensor([[f64; 3]; 6]),
+    /// A tensor's `xx, yy, zz, xy, xz, yz`, and the principal moments found from it, each a sum of three.
+    Tensor([[f64; 3]; 6], [[f64; 3]; 3]),
 }
 
 /// A symmetric tensor, `xx, yy, zz, xy, xz, yz`.
@@ -126,7 +126,8 @@ impl Principal {
             given: if is_diagonal {
                 Given::Moments(moments.each_ref().map(|moment| moment.scaled(-own).parts()))
             } else {
-                Given::Tensor(scaled.each_ref().map(|entry| entry.scaled(-own).parts()))
+                let parts = |x: &Dyadic| x.scaled(-own).parts();
+                Given::Tensor(scaled.each_ref().map(parts), moments.each_ref().map(parts))
             },
         }
     }
@@ -143,7 +144,7 @@ impl Principal {
         if largest == 0.0 {
             return [Wide::ZERO; 3];
         }
-        if let Given::Tensor(_) = self.given {
+        if let Given::Tensor(..) = self.given {
             let exponent = exponent_of(largest);
             let vector = vector.map(|x| in_unit(x, exponent));
             return self.axes.map(|axis| {
@@ -169,12 +170,11 @@ impl Principal {
     /// The principal moments without rounding, in a unit of their own.
     pub(crate) fn exact_moments(&self) -> [Dyadic; 3] {
         match self.given {
-            Given::Moments(moments) => moments.map(Dyadic::of_parts),
+            Given::Moments(moments) | Given::Tensor(_, moments) => moments.map(Dyadic::of_parts),
             Given::Edges(edges) => {
                 let [a, b, c] = edges.map(|edge| &Dyadic::from(edge) * &Dyadic::from(edge));
                 [&b + &c, &c + &a, &a + &b]
             }
-            Given::Tensor(_) => self.moments.map(Dyadic::from),
         }
     }
 }

@@ -92,8 +92,10 @@ impl Start {
             return difference;
         }
         match (principal.given, origin) {
-            (Given::Tensor(tensor), Origin::AngularVelocity(velocity)) => self.separation_of_tensor(tensor, velocity),
-            (Given::Tensor(_), Origin::Momentum) => difference,
+            (Given::Tensor(tensor, _), Origin::AngularVelocity(velocity)) => {
+                self.separation_of_tensor(tensor, velocity)
+            }
+            (Given::Tensor(..), Origin::Momentum) => difference,
             _ => {
                 let [i1, i2, i3] = principal.exact_moments();
                 let [g1, _, g3] = given.map(|x| Dyadic::from(x.value).scaled(x.exponent));
@@ -141,7 +143,7 @@ fn within_range(principal: &Principal) -> ([DoubleDouble; 3], [DoubleDouble; 3])
 /// `IΩ × Ω`, which is exact and has the components `(I₂−I₃)Ω₂Ω₃` and so on round: a spin about the axis itself has none at all.
 fn along_axes(principal: &Principal, velocity: DVec3) -> [Wide; 3] {
     let mut along = principal.components(velocity.to_array());
-    let Given::Tensor(tensor) = principal.given else { return along };
+    let Given::Tensor(tensor, _) = principal.given else { return along };
     let size = |w: Wide| if w.value.high == 0.0 { i32::MIN } else { w.exponent };
     let i = (0..3).max_by_key(|&i| size(along[i])).unwrap_or(0);
     let (j, k) = ((i + 1) % 3, (i + 2) % 3);
