@@ -46,6 +46,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Many bodies at a time are a [`physics::Batch`].
+//!
 //! A [`scene`] is the same thing in words, read from TOML and checked; a [`sim::Simulation`] sets it in motion:
 //!
 //! ```

@@ -96,9 +96,48 @@ fn random_motions() {
         // 501 steps over 83 s in all.
         let bound = |rate: f64| 8.0 * EPS * (501.0 + 83.1 * rate);
         assert_near(&bodies, &batch.states(), batch.time(), bound, "random motions");
-        for time in [0.0, -1e-3, 77.7, 1e7] {
-            // Two evaluations of some 100ε each, wherever on the orbit.
-            assert_near(&bodies, &batch.states_at(time), time, |_| 256.0 * EPS, "in closed form");
+    }
+}
+
+/// The closed form side by side, at times up to 10¹² s, is the closed form of each body alone: each of the two is some ε from the truth.
+/// Momenta keep their small components too.
+#[test]
+fn any_time_is_that_of_each_alone() {
+    let mut random = Random::new(35);
+    let mut bodies = boxes(2_000, 36);
+    bodies.extend((0..6_000).filter_map(|_| {
+        let (moments, momentum) = random_motion(&mut random);
+        let body = Body::from_moments(moments).ok()?;
+        Some((body, state_of(&body, random.rotation(), momentum)))
+    }));
+    for batch in both(&bodies) {
+        for time in [-1e3, -0.7, 1e-9, 0.3, 11.0, 5e4, 1e8, 1e12, 1e17, 1e300] {
+            let (states, momenta) = (batch.states_at(time), batch.momenta_at(time));
+            for (((body, start), state), momentum) in bodies.iter().zip(&states).zip(&momenta) {
+                let alone = Motion::new(body, start).state(time);
+                let what = format!("{:?} {:?} at {time}", body.principal_moments(), start.body_momentum);
+                let size = start.body_momentum.length();
+                assert_at_most(attitude_error(state.world_from_body, alone.world_from_body), 64.0 * EPS, &what);
+                assert_at_most(so3::orthogonality_error(state.world_from_body), 32.0 * EPS, &what);
+                assert_at_most((state.body_momentum - alone.body_momentum).length() / size, 32.0 * EPS, &what);
+                assert_eq!(state.body_momentum, *momentum, "{what}");
+                assert_eq!(state.world_momentum, start.world_momentum, "{what}");
+            }
+        }
+    }
+}
+
+/// And against the references: 1e-13.
+#[test]
+fn any_time_meets_the_references() {
+    for case in reference_cases() {
+        let batch = Batch::of_starts(&case.body, &[case.start; 11]);
+        for (time, attitude, momentum) in &case.samples {
+            for state in batch.states_at(*time) {
+                let what = format!("{} at {time}", case.name);
+                assert_at_most(attitude_error(state.world_from_body, *attitude), 1e-13, &what);
+                assert_at_most((state.body_momentum - *momentum).length() / momentum.length(), 1e-13, &what);
+            }
         }
     }
 }

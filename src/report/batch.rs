@@ -80,14 +80,15 @@ pub fn measure(effort: &Effort) -> BatchCost {
         .collect();
     let cloud = Batch::of_starts(&body, &starts);
     let (mut time, mut other_time) = (0.0, 0.0);
+    let (mut momenta, mut states) = (Vec::new(), Vec::new());
     let jobs = vec![
         Job::repeat(|| {
             time += 1.0;
-            cloud.momenta_at(black_box(time))
+            cloud.momenta_into(black_box(time), &mut momenta);
         }),
         Job::repeat(|| {
             other_time += 1.0;
-            cloud.states_at(black_box(other_time))
+            cloud.states_into(black_box(other_time), &mut states);
         }),
     ];
     let evaluations = interleaved(jobs, effort.rounds, effort.budget);

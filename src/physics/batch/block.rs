@@ -3,10 +3,8 @@
 
 use fearless_simd::prelude::*;
 
+use super::column::{Column, GROUP, get, load, set, store};
 use crate::physics::methods::{Increment, ShortIncrement, StepRotation};
-
-/// Bodies in a group: the most that a register holds on any processor.
-const GROUP: usize = 8;
 
 /// Groups that take each step in turn: enough of them that none waits for the divisions and roots of another, and few enough for
 /// the nearest cache.
@@ -14,16 +12,6 @@ const GROUPS: usize = 4;
 
 /// Bodies in a block.
 pub(super) const BLOCK: usize = GROUP * GROUPS;
-
-/// One number of each body of a group, where no register's worth of them lies across two lines of the cache.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-struct Column([f64; GROUP]);
-
-impl Column {
-    const ZERO: Self = Self([0.0; GROUP]);
-    const ONE: Self = Self([1.0; GROUP]);
-}
 
 /// Bodies all of whose steps are short, or none's. See [`crate::physics::methods`] for the step; the increments are those of one step
 /// here.
@@ -137,32 +125,11 @@ impl Block {
     }
 }
 
-fn set<const N: usize>(columns: &mut [Column; N], lane: usize, values: [f64; N]) {
-    for (column, value) in columns.iter_mut().zip(values) {
-        column.0[lane] = value;
-    }
-}
-
-fn get<const N: usize>(columns: &[Column; N], lane: usize) -> [f64; N] {
-    columns.each_ref().map(|column| column.0[lane])
-}
-
 /// The components x, y, z, w of a quaternion as sums of two numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attitude {
     pub(super) value: [f64; 4],
     pub(super) rest: [f64; 4],
-}
-
-/// The numbers of some bodies.
-#[inline(always)]
-fn load<S: Simd>(simd: S, column: &Column, lane: usize) -> S::f64s {
-    S::f64s::from_slice(simd, &column.0[lane..lane + S::f64s::LEN])
-}
-
-#[inline(always)]
-fn store<S: Simd>(value: S::f64s, column: &mut Column, lane: usize) {
-    value.store_slice(&mut column.0[lane..lane + S::f64s::LEN]);
 }
 
 /// `q ← q F` as `q + q(F − 1)`.

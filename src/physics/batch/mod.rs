@@ -1,10 +1,15 @@
 //! Many bodies, or many starts of one body, at a time.
 
 mod block;
+mod closed;
+mod column;
+mod functions;
 mod steps;
 
-use glam::DVec3;
+use fearless_simd::Level;
+use glam::{DMat3, DVec3};
 
+use closed::Closed;
 use steps::Steps;
 
 use super::exact::Motion;
@@ -44,7 +49,9 @@ use super::{Body, State};
 /// Several bodies are held in each register, as many as the processor has room for, which is found out as the program runs.
 #[derive(Clone, Debug)]
 pub struct Batch {
+    level: Level,
     members: Vec<Member>,
+    closed: Closed,
     steps: Steps,
 }
 
@@ -73,13 +80,14 @@ impl Batch {
             let (motion, orbit) = Motion::with_orbit(body, start);
             Member { motion, orbit }
         };
-        Self { members: bodies.map(member).collect(), steps: Steps::default() }
+        let members: Vec<Member> = bodies.map(member).collect();
+        Self { level: Level::new(), closed: Closed::new(&members), members, steps: Steps::default() }
     }
 
     /// The same, but with no more of the processor than every one of its kind has: to see what the rest is worth.
     #[must_use]
     pub fn on_any_processor(mut self) -> Self {
-        self.steps.use_baseline();
+        self.level = Level::baseline();
         self
     }
 
@@ -100,7 +108,7 @@ impl Batch {
     /// The first step of a length, or of the other direction, prepares its constants: 1 to 2 µs a body.
     pub fn advance(&mut self, step: f64, count: i64) {
         let signed_step = if count < 0 { -step } else { step };
-        self.steps.advance(&self.members, signed_step, count.unsigned_abs());
+        self.steps.advance(self.level, &self.members, signed_step, count.unsigned_abs());
     }
 
     /// Time to which the steps have led (s).
@@ -118,12 +126,34 @@ impl Batch {
     /// The states at a time (s), in closed form: no step is moved.
     #[must_use]
     pub fn states_at(&self, time: f64) -> Vec<State> {
-        self.members.iter().map(|member| member.motion.state(time)).collect()
+        let mut states = Vec::new();
+        self.states_into(time, &mut states);
+        states
+    }
+
+    /// The same in a vector of one's own, which need not be made anew for each time.
+    pub fn states_into(&self, time: f64, states: &mut Vec<State>) {
+        states.resize(self.len(), State::from_parts(DMat3::IDENTITY, DVec3::ZERO, DVec3::ZERO));
+        if time == 0.0 {
+            for (state, member) in states.iter_mut().zip(&self.members) {
+                *state = *member.motion.start();
+            }
+        } else {
+            self.closed.states(self.level, &self.members, time, states);
+        }
     }
 
     /// The body momenta (kg m²/s) at a time (s), in closed form: no step is moved.
     #[must_use]
     pub fn momenta_at(&self, time: f64) -> Vec<DVec3> {
-        self.members.iter().map(|member| member.motion.momentum(time)).collect()
+        let mut momenta = Vec::new();
+        self.momenta_into(time, &mut momenta);
+        momenta
+    }
+
+    /// The same in a vector of one's own, which need not be made anew for each time.
+    pub fn momenta_into(&self, time: f64, momenta: &mut Vec<DVec3>) {
+        momenta.resize(self.len(), DVec3::ZERO);
+        self.closed.momenta(self.level, &self.members, time, momenta);
     }
 }

@@ -13,9 +13,8 @@ use crate::physics::methods::{Increment, StepRotation, can_step};
 const STEPS_TO_UNIT: u32 = 64;
 
 /// Where the steps have led.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Steps {
-    level: Level,
     /// Of this length (s), forwards or backwards; 0 before the first.
     step: f64,
     /// The time is `origin + count |step|`, so that no rounding piles up.
@@ -36,32 +35,13 @@ enum Place {
     Lane { block: usize, lane: usize, half_back: Box<Increment> },
 }
 
-impl Default for Steps {
-    fn default() -> Self {
-        Self {
-            level: Level::new(),
-            step: 0.0,
-            origin: 0.0,
-            count: 0,
-            since_unit: 0,
-            blocks: Vec::new(),
-            places: Vec::new(),
-        }
-    }
-}
-
 impl Steps {
-    /// See [`super::Batch::on_any_processor`].
-    pub(super) fn use_baseline(&mut self) {
-        self.level = Level::baseline();
-    }
-
     pub(super) fn time(&self) -> f64 {
         self.origin + self.count as f64 * self.step.abs()
     }
 
     /// Takes `count` steps (s, negative backwards).
-    pub(super) fn advance(&mut self, members: &[Member], step: f64, count: u64) {
+    pub(super) fn advance(&mut self, level: Level, members: &[Member], step: f64, count: u64) {
         if step != self.step {
             self.prepare(members, step);
         }
@@ -69,7 +49,7 @@ impl Steps {
         self.count += if step < 0.0 { -signed } else { signed };
         let first = self.since_unit;
         for block in &mut self.blocks {
-            dispatch!(self.level, simd => run(simd, block, first, count));
+            dispatch!(level, simd => run(simd, block, first, count));
         }
         self.since_unit = ((u64::from(first) + count) % u64::from(STEPS_TO_UNIT)) as u32;
     }

@@ -28,18 +28,18 @@ pub(crate) struct Real {
     /// `2q, 2q⁴, 2q⁹` and `q², q⁶`.
     even: [f64; 3],
     odd: [f64; 2],
-    factors: [f64; 3],
+    pub(crate) factors: [f64; 3],
 }
 
 /// Series in the complementary nome, for `k′² < ½`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Complementary {
     /// `q′`.
-    nome: f64,
+    pub(crate) nome: f64,
     /// `√q′` and minus its logarithm, `πK/2K′`.
     pub(crate) root_of_nome: f64,
     pub(crate) decay: f64,
-    factors: [f64; 3],
+    pub(crate) factors: [f64; 3],
 }
 
 impl Series {

@@ -5,7 +5,7 @@ mod rates;
 
 use glam::{DMat3, DVec3};
 
-pub(crate) use path::Path;
+pub(crate) use path::{Path, SeriesNumbers};
 pub(crate) use rates::rates;
 
 use super::orbit::Orbit;
@@ -71,6 +71,12 @@ impl Motion {
     /// The motion on its orbit, without the frames of body and world.
     pub(crate) fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// `R(0) P(0)ᵀ` with the share of ψ that belongs to `u₀`; what takes the body's frame to the orbit's; and momenta back, with
+    /// their unit.
+    pub(crate) fn frames(&self) -> [DMat3; 3] {
+        [self.world_from_start, self.orbit_from_body, self.body_from_orbit]
     }
 
     /// The state that a rotation since the start and a momentum, both in the orbit's frame and units, amount to.

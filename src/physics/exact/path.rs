@@ -45,6 +45,26 @@ enum Shape {
     Hyperbolic { rate: DoubleDouble, start: DoubleDouble, sine: f64, cosine: f64 },
 }
 
+/// The numbers of a [`Path`] for an evaluation elsewhere, of many at a time.
+pub(crate) struct PathNumbers {
+    /// `λ/4K` and `ψ̄/4π`, per second.
+    pub(crate) turn_rate: DoubleDouble,
+    pub(crate) half_angle_rate: DoubleDouble,
+    /// `u₀/4K`.
+    pub(crate) start_turns: f64,
+    /// `B₁, s₂B₂, B₃`, and the same over ℓ.
+    pub(crate) amplitudes: DVec3,
+    pub(crate) directions: DVec3,
+    pub(crate) handedness: f64,
+    pub(crate) series: SeriesNumbers,
+}
+
+/// Those of its series.
+pub(crate) enum SeriesNumbers {
+    Real { series: Real, sines: [f64; 2], cosines: [f64; 2] },
+    Complementary { series: Complementary, slope: f64 },
+}
+
 /// Where the flips are this many e-folds apart, or more, the phase near them is a small difference that wants more digits than f64 has.
 const LINGERING: f64 = 64.0;
 
@@ -182,6 +202,30 @@ impl Path {
     /// Momentum at a time (s).
     pub(crate) fn momentum(&self, time: f64) -> DVec3 {
         self.momentum_of(self.functions(time))
+    }
+
+    /// Its numbers, where the momentum circles and no rate is at the end of the range of f64.
+    pub(crate) fn numbers(&self) -> Option<PathNumbers> {
+        let series = match self.shape {
+            Shape::Real { series, sines, cosines } => SeriesNumbers::Real { series, sines, cosines },
+            Shape::Complementary { series, slope, .. } if series.decay <= LINGERING => {
+                SeriesNumbers::Complementary { series, slope }
+            }
+            _ => return None,
+        };
+        let [first, second] = self.units_from_seconds;
+        let a_second = |rate: DoubleDouble| rate.scaled(first).scaled(second);
+        let (turn_rate, half_angle_rate) = (a_second(self.turn_rate), a_second(self.half_angle_rate));
+        let is_usual = |rate: DoubleDouble| (1e-100..1e100).contains(&rate.high.abs());
+        (is_usual(turn_rate) && is_usual(half_angle_rate)).then_some(PathNumbers {
+            turn_rate,
+            half_angle_rate,
+            start_turns: self.start_turns.high,
+            amplitudes: self.amplitudes,
+            directions: self.amplitudes * self.inverse_ell,
+            handedness: self.handedness,
+            series,
+        })
     }
 
     /// `R_z(ψ) P(M)` with the half angle `ψ/2` as the given one and σχ.

@@ -32,27 +32,32 @@ struct Midpoint;
 
 impl MomentumRule for Midpoint {
     fn step(inverse_moments: DVec3, momentum: DVec3, h: f64) -> Option<Advance> {
-        let middle = solve_middle(inverse_moments, momentum, 0.5 * h)?;
-        Some(Advance { momentum: 2.0 * middle - momentum, velocity: inverse_moments * middle })
+        let half_change = solve_half_change(inverse_moments, momentum, 0.5 * h)?;
+        let velocity = inverse_moments * (momentum + half_change);
+        Some(Advance { momentum: momentum + 2.0 * half_change, velocity })
     }
 }
 
-/// Newton's method on `M̄ − M − (h/2) M̄ × I⁻¹M̄ = 0` from `M̄ = M`. Solved means: the last correction is below 1e-9 of M̄,
+/// Newton's method on `d − (h/2) M̄ × I⁻¹M̄ = 0`, `M̄ = M + d`, from `d = 0`. Solved means: the last correction is below 1e-9 of M,
 /// so that the next, its square, is lost in rounding. `None` after 30 corrections.
-fn solve_middle(inverse_moments: DVec3, momentum: DVec3, half: f64) -> Option<DVec3> {
+///
+/// The change is solved for and not M̄, so that what rounding does to it is small where it is: else a spin that stays where it is
+/// would gain or lose an ε each step, always to the same side.
+fn solve_half_change(inverse_moments: DVec3, momentum: DVec3, half: f64) -> Option<DVec3> {
     let inverse_inertia = DMat3::from_diagonal(inverse_moments);
-    let mut middle = momentum;
+    let mut half_change = DVec3::ZERO;
     for _ in 0..30 {
+        let middle = momentum + half_change;
         let velocity = inverse_moments * middle;
-        let residual = middle - momentum - half * middle.cross(velocity);
+        let residual = half_change - half * middle.cross(velocity);
         let slope = DMat3::IDENTITY - (so3::hat(middle) * inverse_inertia - so3::hat(velocity)) * half;
         let correction = slope.inverse() * residual;
-        middle -= correction;
-        if !middle.is_finite() {
+        half_change -= correction;
+        if !half_change.is_finite() {
             return None;
         }
-        if correction.length() <= 1e-9 * middle.length() {
-            return Some(middle);
+        if correction.length() <= 1e-9 * momentum.length() {
+            return Some(half_change);
         }
     }
     None
