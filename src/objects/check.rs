@@ -12,7 +12,7 @@ pub fn check(file: &SceneFile) -> Result<Scene, SceneError> {
     let named = file.view.show.iter().chain(&file.view.hide);
     match named.into_iter().find(|name| object_named(name).is_none()) {
         None => Ok(scene),
-        Some(name) => Err(SceneError::Unknown {
+        Some(name) => Err(SceneError::UnknownName {
             kind: "object",
             given: name.clone(),
             hint: match nearest(name, OBJECTS.iter().map(|object| object.name)) {

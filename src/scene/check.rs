@@ -39,13 +39,13 @@ pub struct Scene {
 pub enum SceneError {
     /// What is said over a scene is no flag of it, no `KEY=VALUE`.
     #[error("{0}")]
-    Edit(String),
+    NotTaken(String),
     /// A link that holds no scene.
     #[error("the link {0}")]
-    Link(String),
+    NotALink(String),
     /// The text is no scene.
     #[error("line {line}: {message}")]
-    Text {
+    NotAScene {
         /// Line of the text, from 1.
         line: usize,
         /// What is wrong with it.
@@ -56,10 +56,10 @@ pub enum SceneError {
     Unreadable(String),
     /// The body is no body.
     #[error(transparent)]
-    Body(#[from] BodyError),
+    NotABody(#[from] BodyError),
     /// The solids make no body.
     #[error(transparent)]
-    Solid(#[from] SolidError),
+    NotSolids(#[from] SolidError),
     /// A cylinder that is not round.
     #[error("a cylinder's size {} x {} is not round: its first two extents are its diameter, twice the same", number(*.0), number(*.1))]
     NotRound(f64, f64),
@@ -74,10 +74,10 @@ pub enum SceneError {
     TwoSpins(&'static str),
     /// No such axis.
     #[error("spin axis {0} does not exist: axes are 1 (smallest moment), 2 and 3 (largest)")]
-    Axis(u8),
+    NoSuchAxis(u8),
     /// A number out of its range.
     #[error("{name} {} is not valid: it must be {wanted}", number(*.value))]
-    Number {
+    OutOfRange {
         /// Which number.
         name: &'static str,
         /// Its value.
@@ -87,7 +87,7 @@ pub enum SceneError {
     },
     /// An unknown name.
     #[error("{kind} `{}` is not known: {hint}", shortened(given))]
-    Unknown {
+    UnknownName {
         /// What was named.
         kind: &'static str,
         /// The name given.
@@ -192,14 +192,14 @@ fn check_start(file: &SceneFile, body: &Body) -> Result<State, SceneError> {
 fn axis_spin(spin: &SpinFile) -> Result<DVec3, SceneError> {
     let tilt = finite("tilt", spin.tilt_deg.unwrap_or(0.0))?;
     if tilt.abs() > 180.0 {
-        return Err(SceneError::Number { name: "tilt", value: tilt, wanted: "between -180 and 180 degrees" });
+        return Err(SceneError::OutOfRange { name: "tilt", value: tilt, wanted: "between -180 and 180 degrees" });
     }
     let rate = finite("rate", spin.rate.unwrap_or(1.0))?;
     let (along, towards) = match spin.axis.unwrap_or(2) {
         1 => (DVec3::X, DVec3::Y),
         2 => (DVec3::Y, DVec3::Z),
         3 => (DVec3::Z, DVec3::X),
-        other => return Err(SceneError::Axis(other)),
+        other => return Err(SceneError::NoSuchAxis(other)),
     };
     let (sine, cosine) = so3::sine_and_cosine_of_degrees(tilt);
     Ok(rate * (cosine * along + sine * towards))
@@ -212,7 +212,7 @@ fn check_attitude(attitude: Option<[f64; 4]>) -> Result<DMat3, SceneError> {
     }
     let largest = [w, x, y, z].into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
     if largest == 0.0 {
-        return Err(SceneError::Number { name: "attitude", value: 0.0, wanted: "a quaternion that is not 0" });
+        return Err(SceneError::OutOfRange { name: "attitude", value: 0.0, wanted: "a quaternion that is not 0" });
     }
     let [w, x, y, z] = [w, x, y, z].map(|component| component / largest);
     Ok(DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize()))
@@ -247,7 +247,7 @@ fn check_view(file: &SceneFile) -> Result<View, SceneError> {
     )?;
     let font_scale = positive("font scale", view.font_scale.unwrap_or(1.0))?;
     if !(0.25..=8.0).contains(&font_scale) {
-        return Err(SceneError::Number { name: "font scale", value: font_scale, wanted: "between 0.25 and 8" });
+        return Err(SceneError::OutOfRange { name: "font scale", value: font_scale, wanted: "between 0.25 and 8" });
     }
     Ok(View {
         layout: view.layout.unwrap_or_default(),
@@ -278,19 +278,19 @@ fn check_camera(camera: &CameraFile, names: [&'static str; 4]) -> Result<(), Sce
 }
 
 fn finite(name: &'static str, value: f64) -> Result<f64, SceneError> {
-    if value.is_finite() { Ok(value) } else { Err(SceneError::Number { name, value, wanted: "a finite number" }) }
+    if value.is_finite() { Ok(value) } else { Err(SceneError::OutOfRange { name, value, wanted: "a finite number" }) }
 }
 
 fn positive(name: &'static str, value: f64) -> Result<f64, SceneError> {
     if value.is_finite() && value > 0.0 {
         Ok(value)
     } else {
-        Err(SceneError::Number { name, value, wanted: "finite and above 0" })
+        Err(SceneError::OutOfRange { name, value, wanted: "finite and above 0" })
     }
 }
 
 fn named_method(name: &str) -> Result<&'static Method, SceneError> {
-    physics::method(name).ok_or_else(|| SceneError::Unknown {
+    physics::method(name).ok_or_else(|| SceneError::UnknownName {
         kind: "method",
         given: name.to_owned(),
         hint: match nearest(name, METHODS.iter().map(|method| method.name)) {

@@ -24,7 +24,7 @@ impl Edit {
     /// One sentence: no `=`, an unknown key, or a value that is not of the key's type.
     pub fn set(text: &str) -> Result<Self, SceneError> {
         let Some((name, value)) = text.split_once('=') else {
-            return Err(SceneError::Edit(format!(
+            return Err(SceneError::NotTaken(format!(
                 "`{}` has no value: KEY=VALUE is wanted, as in spin.rate=6",
                 shortened(text)
             )));
@@ -34,13 +34,13 @@ impl Edit {
 
     /// The same, with the key and its value apart.
     pub(super) fn key_and_value(name: &str, value: &str) -> Result<Self, SceneError> {
-        let wrong = |Wrong { message, .. }| SceneError::Edit(message);
+        let wrong = |Wrong { message, .. }| SceneError::NotTaken(message);
         let row = key(name);
         let mut said = Box::<SceneFile>::default();
         if value.is_empty() {
             let keys: Vec<_> = row.into_iter().chain(keys_of(name)).collect();
             if keys.is_empty() {
-                return Err(SceneError::Edit(read::unknown(name)));
+                return Err(SceneError::NotTaken(read::unknown(name)));
             }
             return Ok(Self { keys, said, adds: false });
         }
@@ -52,11 +52,11 @@ impl Edit {
             return Ok(Self { keys: vec![row], said, adds: false });
         }
         if row.is_none() && keys_of(name).next().is_none() {
-            return Err(SceneError::Edit(read::unknown(name)));
+            return Err(SceneError::NotTaken(read::unknown(name)));
         }
         if let (Some(row), Err(_)) = (row, toml::de::DeValue::parse(value)) {
             let what = format!("`{}`", shortened(value));
-            return Err(SceneError::Edit(row.refused(&what)));
+            return Err(SceneError::NotTaken(row.refused(&what)));
         }
         let keys = read::read_into(&format!("{name} = {value}"), &mut said).map_err(wrong)?;
         Ok(Self { keys, said, adds: false })
@@ -68,8 +68,8 @@ impl Edit {
     /// One sentence: a value that is not of the key's type.
     pub fn flag(key: &'static Key, text: &str) -> Result<Self, SceneError> {
         let mut said = Box::<SceneFile>::default();
-        let item = word::read(key.kind, text).map_err(SceneError::Edit)?;
-        key.read(Some(&item), &mut said).map_err(|Wrong { message, .. }| SceneError::Edit(message))?;
+        let item = word::read(key.kind, text).map_err(SceneError::NotTaken)?;
+        key.read(Some(&item), &mut said).map_err(|Wrong { message, .. }| SceneError::NotTaken(message))?;
         Ok(Self { keys: vec![key], said, adds: !key.opposite.is_empty() })
     }
 
@@ -109,10 +109,10 @@ impl Edits {
             let name = flag.strip_prefix("--").unwrap_or_default();
             let row = KEYS.iter().find(|key| key.flag.is_some_and(|flag| flag.name == name));
             if row.is_none() && name != "set" {
-                return Err(SceneError::Edit(format!("`{}` is no flag of a scene", shortened(flag))));
+                return Err(SceneError::NotTaken(format!("`{}` is no flag of a scene", shortened(flag))));
             }
             let Some(word) = words.next() else {
-                return Err(SceneError::Edit(format!("{flag} has no value")));
+                return Err(SceneError::NotTaken(format!("{flag} has no value")));
             };
             match row {
                 Some(key) => edits.flags.push(Edit::flag(key, word)?),
@@ -294,7 +294,7 @@ mod tests {
 
     #[test]
     fn several_flags_of_names_are_one_list() -> Result<(), SceneError> {
-        let Some(compare) = key("motion.compare") else { return Err(SceneError::Edit("no such key".to_owned())) };
+        let Some(compare) = key("motion.compare") else { return Err(SceneError::NotTaken("no such key".to_owned())) };
         let both = Edit::flag(compare, "rk4,buss")?.and(&Edit::flag(compare, "buss,lie-euler")?);
         let mut file = preset("methods")?.read()?;
         Edits { set: vec![], flags: vec![both] }.apply(&mut file);

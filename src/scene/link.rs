@@ -47,10 +47,10 @@ pub fn is_link(word: &str) -> bool {
 /// One sentence: no `#`, an unknown scene or key, a value that is not taken, a packed scene that is cut off.
 pub fn read(link: &str) -> Result<Link, SceneError> {
     let Some((_, end)) = link.split_once('#') else {
-        return Err(SceneError::Link("has no #, from which on it would say the scene".to_owned()));
+        return Err(SceneError::NotALink("has no #, from which on it would say the scene".to_owned()));
     };
     if end.len() > LONGEST {
-        return Err(SceneError::Link(format!("is {} bytes long, and at most {LONGEST} are read", end.len())));
+        return Err(SceneError::NotALink(format!("is {} bytes long, and at most {LONGEST} are read", end.len())));
     }
     let own = end.starts_with("scene=");
     let (name, rest) = if own { ("", end) } else { end.split_once('?').unwrap_or((end, "")) };
@@ -64,7 +64,7 @@ pub fn read(link: &str) -> Result<Link, SceneError> {
             "scene" if own => file = unpacked(value)?,
             "time" => time = Some(time_of(&decoded(value)?)?),
             _ if !pair.contains('=') => {
-                return Err(SceneError::Link(format!("has `{}` without a value", shortened(pair))));
+                return Err(SceneError::NotALink(format!("has `{}` without a value", shortened(pair))));
             }
             _ => edits.set.push(Edit::key_and_value(&decoded(key)?, &decoded(value)?)?),
         }
@@ -112,23 +112,22 @@ fn unpacked(text: &str) -> Result<SceneFile, SceneError> {
         .and_then(|bytes| decompress_to_vec_zlib_with_limit(&bytes, LONGEST_TEXT).ok())
         .and_then(|text| String::from_utf8(text).ok());
     let Some(text) = text else {
-        return Err(SceneError::Link("is cut off or changed: its scene cannot be unpacked".to_owned()));
+        return Err(SceneError::NotALink("is cut off or changed: its scene cannot be unpacked".to_owned()));
     };
-    SceneFile::parse(&text).map_err(|error| SceneError::Link(format!("holds a scene with a fault: {error}")))
+    SceneFile::parse(&text).map_err(|error| SceneError::NotALink(format!("holds a scene with a fault: {error}")))
 }
 
 fn decoded(text: &str) -> Result<String, SceneError> {
     match percent_decode_str(text).decode_utf8() {
         Ok(text) => Ok(text.into_owned()),
-        Err(_) => Err(SceneError::Link(format!("has `{}`, which is no UTF-8", shortened(text)))),
+        Err(_) => Err(SceneError::NotALink(format!("has `{}`, which is no UTF-8", shortened(text)))),
     }
 }
 
 fn time_of(text: &str) -> Result<f64, SceneError> {
-    text.parse::<f64>()
-        .ok()
-        .filter(|time| time.is_finite())
-        .ok_or_else(|| SceneError::Link(format!("has the time `{}`: it must be a finite number (s)", shortened(text))))
+    text.parse::<f64>().ok().filter(|time| time.is_finite()).ok_or_else(|| {
+        SceneError::NotALink(format!("has the time `{}`: it must be a finite number (s)", shortened(text)))
+    })
 }
 
 #[cfg(test)]

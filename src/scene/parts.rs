@@ -70,7 +70,7 @@ fn solid(file: &SolidFile) -> Result<Solid, SceneError> {
     let rotation = DVec3::from_array(file.rotation_deg);
     if !rotation.is_finite() {
         let value = rotation.to_array().into_iter().find(|angle| !angle.is_finite()).unwrap_or_default();
-        return Err(SceneError::Number { name: "rotation_deg", value, wanted: "a finite number" });
+        return Err(SceneError::OutOfRange { name: "rotation_deg", value, wanted: "a finite number" });
     }
     Ok(Solid {
         shape,
@@ -129,7 +129,7 @@ density = 1e-9
         // The other two weigh nothing beside the box, so that its centre is the body's.
         let parts = parts(text)?;
         let [cube, cylinder, ellipsoid] = parts.as_slice() else {
-            return Err(SceneError::Edit("three parts".to_owned()));
+            return Err(SceneError::NotTaken("three parts".to_owned()));
         };
         let kinds = [cube, cylinder, ellipsoid].map(|part| part.kind);
         assert_eq!(kinds, [PartKind::Box, PartKind::Cylinder, PartKind::Ellipsoid]);

@@ -49,7 +49,7 @@ pub fn presets() -> Vec<Preset> {
 /// # Errors
 /// An unknown name, with the nearest known one.
 pub fn preset(name: &str) -> Result<Preset, SceneError> {
-    all().find(|preset| preset.name == name).ok_or_else(|| SceneError::Unknown {
+    all().find(|preset| preset.name == name).ok_or_else(|| SceneError::UnknownName {
         kind: "scene",
         given: name.to_owned(),
         hint: match nearest(name, all().map(|preset| preset.name)) {

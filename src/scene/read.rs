@@ -20,7 +20,7 @@ impl SceneFile {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut file = Self::default();
         read_into(text, &mut file)
-            .map_err(|Wrong { start, message }| SceneError::Text { line: line_of(text, start), message })?;
+            .map_err(|Wrong { start, message }| SceneError::NotAScene { line: line_of(text, start), message })?;
         Ok(file)
     }
 }

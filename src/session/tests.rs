@@ -328,7 +328,7 @@ fn a_scene_is_kept_and_comes_back_as_it_was_opened() -> Result<(), SceneError> {
     driven.apply(Command::Orbit { at: Pixels::new(100.0, 100.0), by: Pixels::new(40.0, 10.0) });
     let effects = driven.apply(Command::SaveScene);
     let [Effect::SaveText { place: None, title, text }] = effects.as_slice() else {
-        return Err(SceneError::Text { line: 0, message: format!("{effects:?}") });
+        return Err(SceneError::NotAScene { line: 0, message: format!("{effects:?}") });
     };
     assert_eq!(title, "The flip");
     let written = SceneFile::parse(text)?;
@@ -362,7 +362,7 @@ fn the_command_that_is_copied_draws_what_is_shown() -> Result<(), SceneError> {
     driven.apply(Command::Poke);
     let effects = driven.apply(Command::CopyCommand);
     let [Effect::CopyText(line)] = effects.as_slice() else {
-        return Err(SceneError::Text { line: 0, message: format!("{effects:?}") });
+        return Err(SceneError::NotAScene { line: 0, message: format!("{effects:?}") });
     };
     for words in ["dzhanibekov shot methods ", "--time 0 ", "--size 960x480", "-o adding-matrices"] {
         assert!(line.contains(words), "{line} lacks {words}");
