@@ -10,6 +10,8 @@ mod check;
 mod context;
 mod curve;
 mod floor;
+#[cfg(test)]
+mod frames_test;
 mod ghosts;
 mod labels;
 mod layout;

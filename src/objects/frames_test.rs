@@ -1,0 +1,122 @@
+//! Whole frames: every scene with everything that can be drawn, and where things stand in the picture.
+
+use glam::{Vec2, Vec3};
+
+use super::{Cameras, OBJECTS, build_frame, check};
+use crate::frame::{Frame, Pane};
+use crate::scene::{Layout, Scene, SceneError, SceneFile, Theme, preset, presets};
+use crate::sim::Simulation;
+
+/// The frame of a scene at a time (s).
+fn frame_of(scene: &Scene, time: f64, aspect: f32) -> Frame {
+    let mut simulation = Simulation::new(scene);
+    simulation.go_to(time);
+    build_frame(scene, &simulation, &Cameras::new(&scene.view), aspect)
+}
+
+/// Every place in a pane at which something is drawn.
+fn places(pane: &Pane) -> impl Iterator<Item = Vec3> + '_ {
+    let vertices = pane.meshes.iter().flat_map(|mesh| mesh.vertices.iter().map(|vertex| vertex.position));
+    let on_lines = pane.lines.iter().flat_map(|line| line.points.iter().map(|point| point.position));
+    let marks = pane.markers.iter().map(|marker| marker.position);
+    vertices.chain(on_lines).chain(marks).chain(pane.labels.iter().map(|label| label.anchor))
+}
+
+/// Where a place is seen: 0 in the middle of the pane, 1 at its right and upper rims.
+fn seen(pane: &Pane, at: Vec3, aspect: f32) -> Vec2 {
+    let clip = pane.camera.clip_from_world(aspect) * at.extend(1.0);
+    Vec2::new(clip.x, clip.y) / clip.w
+}
+
+#[test]
+fn everything_is_drawn_of_every_scene_and_stays_finite() -> Result<(), SceneError> {
+    for preset in presets() {
+        let mut file = preset.read()?;
+        file.view.layout = Some(Layout::Both);
+        file.view.hide.clear();
+        file.view.show = OBJECTS.iter().map(|object| object.name.to_owned()).collect();
+        for theme in [Theme::Dark, Theme::Light] {
+            file.view.theme = Some(theme);
+            let frame = frame_of(&check(&file)?, 0.5, 16.0 / 9.0);
+            assert_eq!(frame.panes.len(), 2, "{}", preset.name);
+            for pane in &frame.panes {
+                let is_filled = !pane.meshes.is_empty() && !pane.lines.is_empty() && !pane.labels.is_empty();
+                assert!(is_filled && !pane.quadrics.is_empty() && !pane.notes.is_empty(), "{}", preset.name);
+                assert!(places(pane).all(Vec3::is_finite), "{} has a place that is none", preset.name);
+                assert!(pane.quadrics.iter().all(|pair| pair.first.unit_from_world.is_finite()), "{}", preset.name);
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn the_ring_of_the_floor_is_whole_in_a_pane_of_any_shape() -> Result<(), SceneError> {
+    let mut file = SceneFile::default();
+    file.view.layout = Some(Layout::World);
+    file.view.hide = OBJECTS.iter().map(|object| object.name.to_owned()).filter(|name| name != "plane").collect();
+    let scene = check(&file)?;
+    for aspect in [0.5, 0.89, 1.0, 1.78] {
+        let frame = frame_of(&scene, 0.0, aspect);
+        let pane = &frame.panes[0];
+        assert!(places(pane).count() > 100);
+        for at in places(pane) {
+            // A hundredth of the pane stays free.
+            assert!(seen(pane, at, aspect).abs().max_element() < 0.98, "{at} in {aspect}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn the_bodies_stand_under_the_legend() -> Result<(), SceneError> {
+    let file = preset("methods")?.read()?;
+    let scene = check(&file)?;
+    let frame = frame_of(&scene, 0.0, 16.0 / 9.0);
+    let pane = &frame.panes[0];
+    let ghosts = scene.compare.len();
+    assert!(ghosts >= 4 && pane.notes.len() == ghosts + 2);
+    // In a picture 720 points high: the caption, then two methods a row.
+    let rows = (ghosts + 1).div_ceil(2) as f32;
+    let bottom = 9.0 + 1.35 * (20.0 + 17.0 * rows);
+    let highest = pane.meshes.iter().filter(|mesh| mesh.opaque).flat_map(|mesh| &mesh.vertices);
+    let highest = highest.map(|vertex| seen(pane, vertex.position, 8.0 / 9.0).y).fold(-1.0, f32::max);
+    assert!(highest < 1.0 - 2.0 * bottom / 720.0, "{highest} under {bottom}");
+    Ok(())
+}
+
+#[test]
+fn on_the_momentum_sphere_the_arrow_of_the_momentum_ends() -> Result<(), SceneError> {
+    let mut file = preset("momentum-sphere")?.read()?;
+    let label_of = |file: &SceneFile| {
+        let frame = frame_of(&check(file)?, 1.7, 16.0 / 9.0);
+        let labels = frame.panes.iter().flat_map(|pane| &pane.labels);
+        Ok::<_, SceneError>(
+            labels.filter(|label| label.text == "L").map(|label| label.anchor).next().unwrap_or_default(),
+        )
+    };
+    // f32 carries 24 bits; a few roundings of a vector of length 1.
+    assert!((label_of(&file)?.length() - 1.0).abs() < 1e-6);
+    file.view.show.retain(|name| name != "rolling-sphere");
+    assert!(label_of(&file)?.length() > 1.3);
+    Ok(())
+}
+
+#[test]
+fn the_ellipsoid_touches_the_plane_opposite_the_tip_of_the_angular_velocity() -> Result<(), SceneError> {
+    let scene = check(&preset("rolling")?.read()?)?;
+    for time in [0.0, 1.3, 2.0] {
+        let frame = frame_of(&scene, time, 16.0 / 9.0);
+        let pane = &frame.panes[0];
+        let contact = pane.markers.iter().find(|marker| marker.moves).map(|marker| marker.position).unwrap_or_default();
+        let tip = pane.labels.iter().find(|label| label.text == "ω").map(|label| label.anchor).unwrap_or_default();
+        assert!((contact + tip).length() < 1e-6, "{contact} {tip}");
+        // It lies on the ellipsoid, and the ellipsoid's normal there is that of the plane.
+        let pair = pane.quadrics[0];
+        let unit = pair.first.unit_from_world.transform_point3(contact);
+        assert!((unit.length() - 1.0).abs() < 1e-5, "{unit}");
+        let normal = (pair.first.unit_from_world.transpose() * unit.extend(0.0)).truncate().normalize();
+        assert!(normal.z < -1.0 + 1e-6, "{normal}");
+    }
+    Ok(())
+}
