@@ -252,6 +252,7 @@ fn check_view(file: &SceneFile) -> Result<View, SceneError> {
     Ok(View {
         layout: view.layout.unwrap_or_default(),
         theme: view.theme.unwrap_or_default(),
+        time_unit: view.time_unit.unwrap_or_default(),
         show: view.show.clone(),
         hide: view.hide.clone(),
         labels: view.labels.unwrap_or(true),

@@ -2,7 +2,7 @@
 
 use super::keys::{Key, SOLID_KEYS};
 use super::value::{Entry, Item, Value};
-use super::{CameraFile, Layout, PartKind, SolidFile, Theme, read};
+use super::{CameraFile, Layout, PartKind, SolidFile, Theme, TimeUnit, read};
 
 /// What kind of value a key takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -186,6 +186,7 @@ macro_rules! choice {
 
 choice!(Layout: "both" = Layout::Both, "world" = Layout::World, "body" = Layout::Body);
 choice!(Theme: "dark" = Theme::Dark, "light" = Theme::Light);
+choice!(TimeUnit: "s" = TimeUnit::Second, "d" = TimeUnit::Day);
 choice!(PartKind: "box" = PartKind::Box, "cylinder" = PartKind::Cylinder, "ellipsoid" = PartKind::Ellipsoid);
 
 impl Single for SolidFile {

@@ -1,6 +1,6 @@
 //! A scene as it is written: what each key of [`super::KEYS`] fills.
 
-use super::{Layout, PartKind, Theme};
+use super::{Layout, PartKind, Theme, TimeUnit};
 
 /// A scene file. Every part may be left out; [`super::Scene::check`] says what then holds.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -88,6 +88,8 @@ pub struct ViewFile {
     pub layout: Option<Layout>,
     /// Colours.
     pub theme: Option<Theme>,
+    /// What a unit of time is called.
+    pub time_unit: Option<TimeUnit>,
     /// Objects shown besides the default ones.
     pub show: Vec<String>,
     /// Objects hidden.

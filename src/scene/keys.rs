@@ -189,6 +189,7 @@ pub static KEYS: &[Key] = &[
     key!("view.hide", view.hide, "", "Objects to hide").flag("hide", "NAME,…").against("view.show"),
     key!("view.theme", view.theme, "", "Colours for a dark hall, or for bright rooms and print")
         .flag("theme", "dark|light"),
+    key!("view.time_unit", view.time_unit, "", "What a unit of time is called on the screen: s (seconds) or d (days)"),
     key!("view.labels", view.labels, "", "Names beside things").flag("labels", "on|off"),
     key!("view.font_scale", view.font_scale, "", "Factor on the size of text and the width of lines")
         .flag("font-scale", "X"),

@@ -33,4 +33,4 @@ pub use nearest::nearest;
 pub use parts::{Part, PartKind};
 pub use presets::{DEFAULT_PRESET, Preset, preset, presets};
 pub use value::{Entry, Item, Value};
-pub use view::{Layout, Theme, View};
+pub use view::{Layout, Theme, TimeUnit, View};

@@ -4,7 +4,7 @@ use super::edit::Edits;
 use super::keys::KEYS;
 use super::{
     BodyFile, CameraFile, Layout, MotionFile, PartKind, Scene, SceneError, SceneFile, SolidFile, SpinFile, Theme,
-    ViewFile, flags, link, presets,
+    TimeUnit, ViewFile, flags, link, presets,
 };
 use crate::physics::METHODS;
 
@@ -153,6 +153,7 @@ impl Random {
         ViewFile {
             layout: self.maybe(|it| it.pick(&[Layout::Both, Layout::World, Layout::Body])),
             theme: self.maybe(|it| it.pick(&[Theme::Dark, Theme::Light])),
+            time_unit: self.maybe(|it| it.pick(&[TimeUnit::Second, TimeUnit::Day])),
             show: self.names(&objects),
             hide: self.names(&objects),
             labels: self.maybe(|it| it.is(2)),

@@ -24,9 +24,32 @@ pub enum Theme {
     Light,
 }
 
+/// What a unit of the scene's time is called: the equations do not mind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TimeUnit {
+    /// Seconds.
+    #[default]
+    Second,
+    /// Days, as of a tumbling asteroid.
+    Day,
+}
+
+impl TimeUnit {
+    /// Its sign: s, d.
+    #[must_use]
+    pub fn sign(self) -> &'static str {
+        match self {
+            Self::Second => "s",
+            Self::Day => "d",
+        }
+    }
+}
+
 /// The checked settings of a view.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
+    /// What a unit of time is called.
+    pub time_unit: TimeUnit,
     /// Which spaces are shown.
     pub layout: Layout,
     /// Colours.

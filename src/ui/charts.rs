@@ -154,7 +154,8 @@ fn velocity_graph(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         })
         .collect();
     let now = principal_from_body * look.sim.state().body_momentum / moments;
-    let unit = |mark: egui_plot::GridMark, _: &_| format!("{} rad/s", trimmed(&significant(mark.value, 4)));
+    let per = look.time_unit();
+    let unit = move |mark: egui_plot::GridMark, _: &_| format!("{} rad/{per}", trimmed(&significant(mark.value, 4)));
     let chart = plot("velocity", look).y_axis_min_width(70.0).y_axis_formatter(unit);
     let chart = chart.y_grid_spacer(egui_plot::uniform_grid_spacer(|grid| round_steps(&grid, 5.0)));
     let colors = look.axis_colors();
@@ -179,6 +180,7 @@ fn name(graph: &egui::Response, name: &str) {
 }
 
 fn plot<'a>(name: &'static str, look: &Look<'_>) -> Plot<'a> {
+    let unit = look.time_unit();
     Plot::new(name)
         .allow_drag(false)
         .allow_zoom(false)
@@ -188,7 +190,7 @@ fn plot<'a>(name: &'static str, look: &Look<'_>) -> Plot<'a> {
         .allow_double_click_reset(false)
         .show_crosshair(false)
         .default_x_bounds(look.timeline.low, look.timeline.high)
-        .x_axis_formatter(|mark, _| format!("{} s", trimmed(&significant(mark.value, 6))))
+        .x_axis_formatter(move |mark, _| format!("{} {unit}", trimmed(&significant(mark.value, 6))))
         .x_grid_spacer(egui_plot::uniform_grid_spacer(|grid| round_steps(&grid, 8.0)))
         .grid_spacing(egui::Rangef::new(14.0, 120.0))
         .grid_color(Color32::GRAY)

@@ -5,10 +5,10 @@ use egui::Color32;
 use crate::frame::Color;
 use crate::objects::{self, Palette};
 use crate::physics::{Method, Motion};
-use crate::scene::{Scene, SceneFile};
+use crate::scene::{Scene, SceneFile, TimeUnit};
 use crate::sim::{FlipWatch, History, Simulation};
 
-use super::{Pixels, Timeline};
+use super::{Pixels, Timeline, numbers};
 
 /// Everything that the panels read.
 #[derive(Clone, Copy, Debug)]
@@ -59,6 +59,20 @@ impl Look<'_> {
     pub(super) fn is_edited(&self) -> bool {
         let (now, then) = (&self.scene.file, self.opened);
         now.body != then.body || now.spin != then.spin || now.motion != then.motion
+    }
+
+    /// The sign of the scene's unit of time.
+    pub(super) fn time_unit(&self) -> &'static str {
+        self.scene.view.time_unit.sign()
+    }
+
+    /// A length of the scene's time in words.
+    pub(super) fn duration(&self, time: f64) -> String {
+        match self.scene.view.time_unit {
+            TimeUnit::Second => numbers::duration(time),
+            TimeUnit::Day if time.abs() < 1000.0 => format!("{time:.1} d").replace('-', "−"),
+            TimeUnit::Day => numbers::duration(time * numbers::DAY),
+        }
     }
 
     /// The colours of the picture.

@@ -45,12 +45,14 @@ pub fn speed(factor: f64) -> String {
     }
 }
 
+/// A day (s).
+pub const DAY: f64 = 86_400.0;
+
 /// A length of time (s) in the unit that people would say it in.
 #[must_use]
 pub fn duration(seconds: f64) -> String {
     const MINUTE: f64 = 60.0;
     const HOUR: f64 = 3600.0;
-    const DAY: f64 = 86_400.0;
     const YEAR: f64 = 365.25 * DAY;
     let said = |value: f64, unit: &str| format!("{} {unit}", trimmed(&significant(value, 3)));
     match seconds.abs() {

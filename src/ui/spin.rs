@@ -66,7 +66,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     };
     let rate = NumberRow {
         label: "rate",
-        unit: " rad/s",
+        unit: if look.time_unit() == "d" { " rad/d" } else { " rad/s" },
         range: (0.0, 20.0),
         logarithmic: None,
         hint: "Angular speed at the start",

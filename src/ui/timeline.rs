@@ -90,7 +90,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         painter.text(place, Align2::CENTER_BOTTOM, "flip", FontId::proportional(13.5), flip_color);
     }
     for mark in marks(low, high, f64::from(track.width()) / 90.0) {
-        let text = format!("{} s", trimmed(&significant(mark, 6)));
+        let text = format!("{} {}", trimmed(&significant(mark, 6)), look.time_unit());
         painter.text(
             pos2(at(mark), rect.bottom() + 1.0),
             Align2::CENTER_BOTTOM,

@@ -69,7 +69,7 @@ pub(super) fn is_narrow(width: f32) -> bool {
 /// The time, with as many decimals as one step shows in.
 fn clock_ui(ui: &mut Ui, look: &Look<'_>) {
     let decimals = (-look.sim.step_length().log10()).ceil().clamp(2.0, 6.0) as usize;
-    let time = format!("{:.decimals$} s", look.sim.time()).replace('-', "−");
+    let time = format!("{:.decimals$} {}", look.sim.time(), look.time_unit()).replace('-', "−");
     // It keeps its place while the last digits run.
     let width = 13.5 * time.chars().count().max(decimals + 5) as f32;
     ui.add_sized([width, 30.0], egui::Label::new(RichText::new(time).monospace().size(22.0)).halign(Align::Min));
@@ -122,7 +122,7 @@ fn flips(ui: &mut Ui, look: &Look<'_>) {
         match next {
             Some(next) => {
                 let wait = (next - look.sim.time()).abs();
-                let text = large(format!("next flip in {}", numbers::duration(wait)));
+                let text = large(format!("next flip in {}", look.duration(wait)));
                 let is_soon = wait < SOON * speed.abs();
                 let color = style::warning(ui.visuals().dark_mode);
                 ui.label(if is_soon { text.color(color) } else { text });
@@ -138,7 +138,7 @@ fn flips(ui: &mut Ui, look: &Look<'_>) {
         let as_rounded = poinsot::classify(&look.scene.body, start.body_momentum);
         if let (MotionClass::Separatrix, Some(period)) = (as_rounded, look.timeline.period) {
             // Few starts on the separatrix can be written down: this one is beside it by the rounding of a number.
-            ui.label(words(format!("a rounding beside the separatrix: every {}", numbers::duration(period))));
+            ui.label(words(format!("a rounding beside the separatrix: every {}", look.duration(period))));
         } else if look.timeline.first_flip.is_some() && look.timeline.period.is_none() {
             ui.label(words("once in all time: on the separatrix".to_owned()));
         } else if let Some(period) = look.timeline.period {
@@ -146,8 +146,8 @@ fn flips(ui: &mut Ui, look: &Look<'_>) {
             let count = next.map_or(0.0, |next| flips_since_start(look.timeline, next, speed < 0.0));
             let count =
                 if count < 0.0 { format!("{:.0} before the start", -count) } else { format!("{count:.0} so far") };
-            let every = numbers::duration(period);
-            let measured = look.flips.between().map(numbers::duration).filter(|measured| *measured != every);
+            let every = look.duration(period);
+            let measured = look.flips.between().map(|time| look.duration(time)).filter(|measured| *measured != every);
             let measured = measured.map_or(String::new(), |time| format!(", measured {time}"));
             ui.label(words(format!("{count}, one every {every}{measured}")));
         }
