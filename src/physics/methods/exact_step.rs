@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use glam::{DMat3, DQuat, DVec3};
 
 use super::{Dash, Failure, Hue, Keeps, Mark, Method, Order, Problem, Stepper};
+use crate::physics::double_double::power_of_two;
 use crate::physics::exact::Path;
 use crate::physics::orbit::{Kind, Orbit};
 use crate::physics::so3;
@@ -38,7 +39,7 @@ const SMALLEST: f64 = 1e-140;
 /// which several at a time hide.
 const LANES: usize = 4;
 
-/// Steps after which the attitude's quaternion is brought back to unit length. A step shortens it by `sech(π/2) = 0.4` at most, and
+/// Steps after which the attitude's quaternion is brought back to a length from 1 to 2. A step shortens it by `sech(π/2) = 0.4` at most, and
 /// lengthens it by `1/cos ½ = 1.14`.
 const STEPS_TO_UNIT: usize = 64;
 
@@ -103,7 +104,7 @@ struct Rounds {
     lanes: Lanes,
     /// Steps of this round that were taken.
     lane: usize,
-    /// Steps since the attitude had unit length, a round that was broken off counted as a whole one.
+    /// Steps since the attitude had such a length, a round that was broken off counted as a whole one.
     steps_from_unit: usize,
 }
 
@@ -291,9 +292,10 @@ impl Rounds {
         self.turn = NOTHING;
         self.steps_from_unit += LANES;
         if self.steps_from_unit >= STEPS_TO_UNIT {
-            let beyond = self.attitude.length_recip() - 1.0;
-            self.attitude_rest *= 1.0 + beyond;
-            self.add_to_attitude(self.attitude * beyond);
+            // By a power of two, which rounds nothing.
+            let unit = power_of_two(self.attitude.length()).recip();
+            self.attitude *= unit;
+            self.attitude_rest *= unit;
             self.steps_from_unit = 0;
         }
     }
