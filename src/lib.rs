@@ -67,7 +67,7 @@
 //! | room | what lives there | feature |
 //! |---|---|---|
 //! | [`physics`] | rotations, bodies, the exact motion, methods, Poinsot's geometry: pure f64 | – |
-//! | [`scene`] | what a scene says: read, checked, written; the presets | – |
+//! | [`scene`] | what a scene says: read, checked, written as text, flags and links; the presets | – |
 //! | [`sim`] | the clock, the running simulation, its history | – |
 //! | `files` | what people name is read and written | `files` |
 //! | `objects`, `frame`, `camera` | what is drawn | `picture` |

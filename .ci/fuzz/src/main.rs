@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
 use std::time::{Duration, Instant};
 
-use dzhanibekov::scene::{Scene, SceneFile, presets};
+use dzhanibekov::scene::{Edits, Scene, SceneFile, flags, link, presets};
 
 /// Longest time that one input may take.
 const LIMIT: Duration = Duration::from_secs(1);
@@ -79,7 +79,7 @@ fn mutated(random: &mut Random, texts: &[&'static str]) -> String {
     text
 }
 
-/// Reads one text; what is read and holds is written, and must read back the same.
+/// Reads one text; what is read and holds is written as text, flags and a link, and must read back the same.
 fn read(text: &str) -> Result<(), String> {
     let Ok(file) = SceneFile::parse(text) else { return Ok(()) };
     let Ok(scene) = Scene::check(&file) else { return Ok(()) };
@@ -89,9 +89,21 @@ fn read(text: &str) -> Result<(), String> {
     }
     let written = scene.file.to_toml();
     match SceneFile::parse(&written) {
-        Ok(again) if again == scene.file => Ok(()),
-        Ok(_) => Err(format!("reads back to another scene:\n{written}")),
-        Err(error) => Err(format!("does not read back: {error}:\n{written}")),
+        Ok(again) if again == scene.file => {}
+        Ok(_) => return Err(format!("reads back to another scene:\n{written}")),
+        Err(error) => return Err(format!("does not read back: {error}:\n{written}")),
+    }
+    let words = flags(&SceneFile::default(), &scene.file);
+    let mut reached = SceneFile::default();
+    Edits::of_words(&words).map_err(|error| format!("{words:?} are not read: {error}"))?.apply(&mut reached);
+    if reached != scene.file {
+        return Err(format!("{words:?} give another scene:\n{written}"));
+    }
+    let link = link::write(Some("flip"), &scene.file, Some(1.0));
+    match link::read(&link) {
+        Ok(read) if read.file == scene.file => Ok(()),
+        Ok(_) => Err(format!("{link} gives another scene:\n{written}")),
+        Err(error) => Err(format!("{link} is not read: {error}:\n{written}")),
     }
 }
 
@@ -119,7 +131,7 @@ const WORDS: &[&str] = &[
     "trace", "scenes", "methods", "flip", "t-handle", "nosuch", "--json", "--help", "--at", "--every", "--duration", "--box", "--moments",
     "--inertia", "--omega", "--axis", "--tilt", "--rate", "--method", "--step", "--compare", "--mass", "-o", "-", "--", "--quiet", "exact-step",
     "closed-form", "buss", "1,2,3", "0.1,0.2,0.3", "1,1,1,0,0,0", "-1,0,2", "1,nan,2", "inf,1,1", "1e-200,1e-200,1e-200", "1,1,1e300", "0,0,0",
-    "2", "1", "0", "-5", "1e12", "1e-300", "nan", "é", "", "/dev/null", "/", ".", "💥", "--version", "--=", "-x", "-o-", "--at=1,2,3",
+    "2", "1", "0", "-5", "1e12", "1e-300", "nan", "é", "", "/dev/null", "/", ".", "💥", "--version", "--=", "-x", "--set", "spin.rate=3", "motion.compare=[]", "body.solids=[]", "spin=", "title=é", "#flip?spin.rate=8&time=1", "#scene=eJw", "#", "-o-", "--at=1,2,3",
 ];
 
 fn command_lines(random: &mut Random, program: &Path, count: usize) -> usize {
