@@ -1,6 +1,6 @@
 //! Files that are read and written for a person: one reader with a bound, one writer that leaves whole files only.
 //!
-//! A result goes beside its place first and is then renamed into it ([`write`], [`write_with`], [`Output`]). Links are
+//! A result goes beside its place first and is then renamed into it ([`write()`], [`write_with`], [`Output`]). Links are
 //! followed and stay links; a file that is there keeps its mode and its owner; where renaming would not do (a device, a
 //! pipe, a descriptor, a file with a second name or in a folder that takes none) it is written in its place.
 //! [`write_new`] writes under a free name and over nothing. [`read_scenes`] reads the scenes of a file or a folder.
@@ -33,7 +33,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     write_with(path, |output| output.write_all(bytes).map_err(|error| FileError::write(path, error)))
 }
 
-/// As [`write`], what `fill` writes. Where that fails nothing is left.
+/// As [`write()`], what `fill` writes. Where that fails nothing is left.
 ///
 /// # Errors
 /// See [`FileError`], and whatever `fill` returns.
