@@ -12,8 +12,9 @@ mod screen;
 mod startup;
 mod surface;
 mod trial;
+mod watch;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use winit::application::ApplicationHandler;
 use winit::event::WindowEvent;
@@ -32,6 +33,7 @@ use crate::ui::{Command, Panels};
 use open::OpenWindow;
 use pacing::Pacer;
 use trial::{Frame, Trial};
+use watch::Watch;
 
 /// How the window is opened.
 #[derive(Clone, Debug)]
@@ -40,8 +42,10 @@ pub struct WindowOptions {
     pub size: Option<[u32; 2]>,
     /// A part of the name of the graphics adapter to draw with.
     pub adapter: Option<String>,
-    /// The scenes to go through; those built in where there are none.
+    /// The scenes to go through before those built in.
     pub slides: Vec<Slide>,
+    /// The file or folder that they came from, which is followed.
+    pub place: Option<PathBuf>,
 }
 
 /// Opens the window on a scene and returns when it is closed.
@@ -64,9 +68,15 @@ pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> 
         window: None,
         repaint_at: None,
         error: None,
+        watch: None,
         recoveries: 0,
         trial: Trial::from_environment(),
     };
+    app.watch = app
+        .options
+        .place
+        .take()
+        .and_then(|place| Some((place.display().to_string(), Watch::new(&place, event_loop.create_proxy())?)));
     let outcome = startup::while_displayed(|| event_loop.run_app(&mut app));
     let outcome = match outcome {
         Ok(outcome) => outcome,
@@ -92,6 +102,8 @@ enum Wake {
     Access(egui_winit::accesskit_winit::Event),
     /// The graphics device is gone.
     DeviceLost,
+    /// Scenes on the disk are others.
+    FilesChanged,
 }
 
 impl From<egui_winit::accesskit_winit::Event> for Wake {
@@ -115,6 +127,8 @@ struct App {
     /// When something is to be drawn although simulated time stands.
     repaint_at: Option<Instant>,
     error: Option<WindowError>,
+    /// What is followed on the disk, under the name by which it was opened.
+    watch: Option<(String, Watch)>,
     /// Devices made anew since the last frame on the screen.
     recoveries: u32,
     trial: Trial,
@@ -202,6 +216,9 @@ impl App {
         match effect {
             Effect::Open(place) => {
                 let read = files::read_slides(Path::new(&place));
+                if read.is_ok() {
+                    self.watch = Watch::new(Path::new(&place), self.proxy.clone()).map(|watch| (place.clone(), watch));
+                }
                 self.session.open_slides(&place, read);
             }
             Effect::SaveText { place, title, text } => {
@@ -253,6 +270,13 @@ impl ApplicationHandler<Wake> for App {
     fn user_event(&mut self, event_loop: &ActiveEventLoop, event: Wake) {
         match event {
             Wake::DeviceLost => self.recover(event_loop),
+            Wake::FilesChanged => {
+                if let Some((name, _)) = &self.watch {
+                    let read = files::read_slides(Path::new(name));
+                    self.session.refresh(&name.clone(), read, Instant::now());
+                    self.wake();
+                }
+            }
             Wake::Access(event) => {
                 if let Some(window) = &mut self.window {
                     window.on_access(event.window_event);

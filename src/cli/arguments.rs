@@ -137,6 +137,10 @@ impl SceneArguments {
     ) -> Result<(Scene, Vec<dzhanibekov::session::Slide>), Failure> {
         let slides = match self.source() {
             Source::Path(path) if path.is_dir() => dzhanibekov::app::read_slides(path).map_err(Failure::request)?,
+            Source::Path(path) => {
+                let slides = dzhanibekov::app::read_slides(path).map_err(Failure::request)?;
+                return Ok((self.scene(Some(view), is_quiet)?, slides));
+            }
             _ => return Ok((self.scene(Some(view), is_quiet)?, vec![])),
         };
         let sound = slides.iter().find_map(|slide| Some((&slide.name, slide.file.as_ref().ok()?)));
@@ -148,6 +152,15 @@ impl SceneArguments {
         let opened = Opened { name: name.clone(), file: file.clone(), is_file: true };
         let scene = self.checked(&opened, Some(view), is_quiet)?;
         Ok((scene, slides))
+    }
+
+    /// The file or the folder that SCENE names, if it names one.
+    #[cfg(feature = "window")]
+    pub(super) fn place(&self) -> Option<PathBuf> {
+        match self.source() {
+            Source::Path(path) => Some(path.to_owned()),
+            _ => None,
+        }
     }
 
     /// What SCENE names. A built-in scene goes before a file or a folder of its name, which `./flip` would be.

@@ -199,7 +199,8 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
         let (scene, slides) = arguments.scene.slides(&arguments.view, arguments.quiet)?;
         let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
         let adapter = arguments.adapter.clone();
-        let options = dzhanibekov::app::WindowOptions { size, adapter, slides };
+        let place = arguments.scene.place();
+        let options = dzhanibekov::app::WindowOptions { size, adapter, slides, place };
         dzhanibekov::app::run(scene, options).map_err(|error| Failure::could(error.to_string()))
     }
     #[cfg(not(feature = "window"))]

@@ -10,6 +10,7 @@ use crate::physics::{Motion, so3};
 use crate::scene::{SceneFile, SpinFile};
 use crate::sim::Simulation;
 use crate::ui::{Pixels, path_in};
+use web_time::Instant;
 
 /// Steps that a change of method or step may take to come back to the same time; past that it starts over.
 const MOST_CATCHING_UP: f64 = 2e5;
@@ -188,6 +189,36 @@ impl Session {
             self.undo.note(Kind::Whole, before, self.now);
         }
         self.note_change(seen);
+    }
+
+    /// What is followed on the disk has changed: what is open of it is opened again where its text is another one, and the list
+    /// shows what there is now.
+    pub fn refresh(&mut self, place: &str, read: Result<Vec<Slide>, String>, now: Instant) {
+        self.now = now;
+        let slides = match read {
+            Ok(slides) => slides,
+            Err(why) => return self.say(why),
+        };
+        let open = slides.iter().find(|slide| slide.name == self.opened.name).cloned();
+        let is_folder = slides.first().is_none_or(|slide| slide.name != place);
+        if is_folder || self.slides.iter().any(|slide| slide.name == place) {
+            self.set_slides(slides.into_iter().chain(super::built_in()).collect());
+        }
+        let Some(open) = open else { return };
+        match open.file {
+            Ok(file) if file != self.opened.file => {
+                let (before, seen) = (self.moment(), self.seen());
+                let opened = Opened { name: open.name.clone(), title: String::new(), file, place: self.opened.place };
+                let title = Slide { name: open.name.clone(), file: Ok(opened.file.clone()) }.title();
+                if self.open(Opened { title, ..opened }) {
+                    self.undo.note(Kind::Whole, before, now);
+                    self.say(format!("{} was changed, and read again.", open.name));
+                }
+                self.note_change(seen);
+            }
+            Ok(_) => {}
+            Err(why) => self.say(format!("{}: {why}", open.name)),
+        }
     }
 
     /// Takes other scenes to go through; the open one stays open, in its new place where it is there.

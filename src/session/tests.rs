@@ -465,3 +465,26 @@ fn messages_go_by_themselves() -> Result<(), SceneError> {
     assert!(driven.message().is_empty());
     Ok(())
 }
+
+#[test]
+fn a_file_that_changes_is_read_again() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    let slide =
+        |text: &str| Slide { name: "talk/a.toml".to_owned(), file: SceneFile::parse(text).map_err(|e| e.to_string()) };
+    driven.session.open_slides("talk", Ok(vec![slide("title = 'One'")]));
+    driven.session.refresh("talk", Ok(vec![slide("title = 'One'\n[spin]\nrate = 2.0")]), driven.now);
+    assert_eq!((driven.file().spin.rate, driven.message()), (Some(2.0), "talk/a.toml was changed, and read again."));
+    // One that is broken for a moment says so and leaves what is shown.
+    driven.session.refresh("talk", Ok(vec![slide("titel = 'One'")]), driven.now);
+    assert!(driven.message().contains("talk/a.toml: ") && driven.file().spin.rate == Some(2.0), "{}", driven.message());
+    let new = Slide {
+        name: "talk/b.toml".to_owned(),
+        file: Ok(SceneFile { title: "New".to_owned(), ..SceneFile::default() }),
+    };
+    driven.session.refresh("talk", Ok(vec![slide("title = 'One'\n[spin]\nrate = 2.0"), new]), driven.now);
+    assert_eq!(driven.session.titles[..2], ["One".to_owned(), "New".to_owned()]);
+    assert_eq!(driven.session.opened.place, Some(0));
+    driven.session.refresh("talk", Err("talk: gone".to_owned()), driven.now);
+    assert_eq!(driven.message(), "talk: gone");
+    Ok(())
+}

@@ -19,9 +19,14 @@ pub(super) fn motion(ui: &mut Ui, look: &Look<'_>) {
     section(ui, "Motion");
     let class = poinsot::class_of(&scene.body, start);
     let flips = look.timeline.first_flip.is_some();
+    // Few starts on the separatrix can be written down; the others are beside it by the rounding of a number.
+    let is_rounded = poinsot::classify(&scene.body, start.body_momentum) == MotionClass::Separatrix;
     note(
         ui,
         match class {
+            MotionClass::AboutAxis1 | MotionClass::AboutAxis3 if is_rounded => {
+                "on the separatrix but for a rounding, which flips it again"
+            }
             MotionClass::AboutAxis1 if flips => "M circles axis 1, past axis 2: it flips",
             MotionClass::AboutAxis3 if flips => "M circles axis 3, past axis 2: it flips",
             other => other.label(),
