@@ -92,7 +92,7 @@ fn flips_are_those_of_the_motion() {
     let velocity = DVec3::new(0.573_911_798_045_180_9, -0.285_087_802_457_204_33, 0.728_959_684_445_803_3);
     let start = State::new(&body, DMat3::IDENTITY, velocity);
     let period = flip_period_of(&body, &start).expect("it flips");
-    assert_at_most((period / 135.095_612_007_281_61 - 1.0).abs(), 4.0 * EPS, "between flips");
+    assert_at_most((period / 135.095_612_007_281_6 - 1.0).abs(), 4.0 * EPS, "between flips");
 }
 
 fn tensor([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> DMat3 {
@@ -204,6 +204,7 @@ fn solids_turned_any_way() {
         assert_eq!(straight.is_ok(), is_body, "{size:?}");
         for _ in 0..20 {
             let turned = assemble(&[solid(random.rotation())]);
+            assert_eq!(straight.is_ok(), turned.is_ok(), "{size:?}: {straight:?} and {turned:?}");
             match (&straight, &turned) {
                 (Ok(straight), Ok(turned)) => {
                     let ratio = turned.body.principal_moments() / straight.body.principal_moments();
@@ -214,7 +215,7 @@ fn solids_turned_any_way() {
                     let kind = std::mem::discriminant;
                     assert_eq!(kind(straight), kind(turned), "{straight} and {turned}");
                 }
-                _ => panic!("{size:?}: {straight:?} and {turned:?}"),
+                _ => {}
             }
         }
     }
