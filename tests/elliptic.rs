@@ -39,6 +39,17 @@ const FUNCTIONS: [(f64, f64, [f64; 3]); 20] = [
     (0.999999, -30.5, [0.7931319570389728, 0.6090498327095485, 0.9999996854707999]),
 ];
 
+/// `(sine, cosine, k′², F)`, from 60-digit arithmetic: angles beyond the digits of their sine, k′ far below the square of the cosine and far above.
+#[rustfmt::skip]
+const INCOMPLETE: [(f64, f64, f64, f64); 6] = [
+    (1.0, 2.008318038325701e-27, 2.3303206360420486e-278, 62.165647116491),
+    (1.0, 1e-100, 1e-200, 230.7634300735049),
+    (1.0, 3e-08, 1e-30, 18.0152156358442),
+    (-1.0, 1e-05, 1e-19, -12.206072645305174),
+    (1.0, 0.5, 1e-17, 1.4436354751788103),
+    (1.0, 1e-150, 1e-20, 24.412145291060348),
+];
+
 /// `(k′², K, E)`.
 #[rustfmt::skip]
 const INTEGRALS: [(f64, f64, f64); 8] = [
@@ -89,6 +100,14 @@ fn complete_integrals() {
     // Gauss' constant.
     let gauss = 1.0 / arithmetic_geometric_mean(1.0, 2f64.sqrt());
     assert_at_most((gauss - 0.834_626_841_674_073_2).abs(), 2.0 * EPS, "Gauss' constant");
+}
+
+#[test]
+fn incomplete_integrals() {
+    for (sine, cosine, parameter, expected) in INCOMPLETE {
+        let error = (incomplete_first_kind(sine, cosine, parameter) / expected - 1.0).abs();
+        assert_at_most(error, 8.0 * EPS, &format!("F of {sine}, {cosine:e}, k'2 {parameter:e}"));
+    }
 }
 
 /// Another crate, from the parameter m = 1 − k′²: where m itself is exact, and to its own 7e-16.

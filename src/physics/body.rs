@@ -61,7 +61,7 @@ impl Body {
         let squared = (mass / 12.0) * edges * edges;
         let moments = DVec3::new(squared.y + squared.z, squared.z + squared.x, squared.x + squared.y);
         check_moments(moments)?;
-        Ok(Self::from_principal(DMat3::from_diagonal(moments), Principal::from_edges(edges.to_array(), mass)))
+        Ok(Self::from_principal(DMat3::from_diagonal(moments), &Principal::from_edges(edges.to_array(), mass)))
     }
 
     /// A body whose own axes are principal axes, moments (kg m²) in the order of the axes, sorted or not.
@@ -70,7 +70,7 @@ impl Body {
     /// A moment that is not finite and positive.
     pub fn from_moments(moments: DVec3) -> Result<Self, BodyError> {
         check_moments(moments)?;
-        Ok(Self::from_principal(DMat3::from_diagonal(moments), Principal::from_moments(moments.to_array())))
+        Ok(Self::from_principal(DMat3::from_diagonal(moments), &Principal::from_moments(moments.to_array())))
     }
 
     /// A body with a full inertia tensor (kg m²) in the body frame; its principal axes are found by Jacobi rotations, to 106 bits.
@@ -119,12 +119,12 @@ impl Body {
             let smallest = moments.iter().copied().fold(f64::MAX, f64::min);
             return Err(BodyError::NotPositiveDefinite(smallest.min(0.0) * largest));
         }
-        Ok(Self::from_principal(inertia, Principal::from_tensor(exact)))
+        Ok(Self::from_principal(inertia, &Principal::from_tensor(exact)))
     }
 
-    fn from_principal(inertia: DMat3, principal: Principal) -> Self {
+    fn from_principal(inertia: DMat3, principal: &Principal) -> Self {
         let (principal_moments, axes) = (principal.rounded_moments, principal.rounded_axes());
-        Self { inertia, principal_moments, axes, principal }
+        Self { inertia, principal_moments, axes, principal: *principal }
     }
 
     /// Moments and axes to 106 bits.

@@ -27,7 +27,7 @@ impl Dyadic {
         let zeros = limbs.iter().take_while(|&&limb| limb == 0).count();
         if zeros > 0 {
             limbs.drain(..zeros);
-            shift += zeros as i32;
+            shift += zeros.cast_signed() as i32;
         }
         if limbs.is_empty() { Self::default() } else { Self { is_negative, limbs, shift } }
     }
@@ -52,7 +52,7 @@ impl Dyadic {
             return self;
         }
         self.limbs.drain(..excess);
-        Self::new(self.is_negative, self.limbs, self.shift + excess as i32)
+        Self::new(self.is_negative, self.limbs, self.shift + excess.cast_signed() as i32)
     }
 
     /// Times `2^exponent`.
@@ -87,7 +87,7 @@ impl Dyadic {
         let low = leading.cast_signed().wrapping_sub(high as i128) as f64;
         let unit = 2f64.powi(-126);
         let value = DoubleDouble { high: high * unit, low: low * unit };
-        let exponent = 64 * (self.shift + self.limbs.len() as i32) - zeros.cast_signed() - 1;
+        let exponent = 64 * (self.shift + self.limbs.len().cast_signed() as i32) - zeros.cast_signed() - 1;
         Wide::new(if self.is_negative { -value } else { value }, exponent)
     }
 

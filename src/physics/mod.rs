@@ -5,6 +5,7 @@
 
 pub mod batch;
 pub mod body;
+pub mod bounds;
 mod double_double;
 mod dyadic;
 pub mod elliptic;

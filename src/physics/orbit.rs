@@ -201,13 +201,13 @@ impl Orbit {
     }
 
     /// A map of momenta in the orbit's units, followed by one of those to kg m²/s.
-    pub(crate) fn to_momentum(&self, map: DMat3) -> DMat3 {
+    pub(crate) fn with_momentum_unit(&self, map: DMat3) -> DMat3 {
         let [first, second] = power_of_two_of(self.moment_exponent + self.rate_exponent);
         map * first * second
     }
 
     /// A map of angular velocities in the orbit's units, followed by one of those to rad/s.
-    pub(crate) fn to_rate(&self, map: DMat3) -> DMat3 {
+    pub(crate) fn with_rate_unit(&self, map: DMat3) -> DMat3 {
         let [first, second] = self.units_from_seconds();
         map * first * second
     }

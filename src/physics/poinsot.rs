@@ -139,7 +139,7 @@ pub fn invariable_plane_distance(body: &Body, body_momentum: DVec3) -> f64 {
 #[must_use]
 pub fn polhode(body: &Body, body_momentum: DVec3, points: usize) -> Vec<DVec3> {
     sampled_polhode(body, body_momentum, points, |orbit| {
-        orbit.to_momentum(body.body_from_principal() * orbit.principal_from_standard)
+        orbit.with_momentum_unit(body.body_from_principal() * orbit.principal_from_standard)
     })
 }
 
@@ -148,7 +148,7 @@ pub fn polhode(body: &Body, body_momentum: DVec3, points: usize) -> Vec<DVec3> {
 pub fn angular_velocity_polhode(body: &Body, body_momentum: DVec3, points: usize) -> Vec<DVec3> {
     sampled_polhode(body, body_momentum, points, |orbit| {
         let inverse = DMat3::from_diagonal(orbit.moments.recip());
-        orbit.to_rate(body.body_from_principal() * orbit.principal_from_standard * inverse)
+        orbit.with_rate_unit(body.body_from_principal() * orbit.principal_from_standard * inverse)
     })
 }
 

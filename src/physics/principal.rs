@@ -57,7 +57,7 @@ impl Principal {
             rounded_moments: DVec3::from_array(sorted),
             differences: [difference(0, 1), difference(0, 2), difference(1, 2)],
             exponent,
-            axes: right_handed(order.map(|i| unit_axis(i))),
+            axes: right_handed(order.map(unit_axis)),
             given: Given::Moments(scaled.map(|moment| [moment, 0.0, 0.0])),
         }
     }
@@ -84,7 +84,7 @@ impl Principal {
             rounded_moments: DVec3::new(b2 + c2, c2 + a2, a2 + b2),
             differences: [difference(0, 1), difference(0, 2), difference(1, 2)].map(scaled),
             exponent: largest.exponent,
-            axes: right_handed(order.map(|i| unit_axis(i))),
+            axes: right_handed(order.map(unit_axis)),
             given: Given::Edges(edges),
         }
     }
@@ -279,17 +279,12 @@ fn rotate(a: &mut [[Dyadic; 3]; 3], axes: &mut [[Dyadic; 3]; 3], p: usize, q: us
         let first = (&(&c * x) - &(&s * y)).rounded(LIMBS);
         [first, (&(&s * x) + &(&c * y)).rounded(LIMBS)]
     };
-    // Columns, then rows.
     for row in a.iter_mut() {
         [row[p], row[q]] = turned(&row[p], &row[q]);
     }
-    for column in 0..3 {
-        let pair = turned(&a[p][column], &a[q][column]);
-        [a[p][column], a[q][column]] = pair;
-    }
-    for i in 0..3 {
-        let pair = turned(&axes[p][i], &axes[q][i]);
-        [axes[p][i], axes[q][i]] = pair;
+    for rows in [a, axes] {
+        let columns = [0, 1, 2].map(|column| turned(&rows[p][column], &rows[q][column]));
+        [rows[p], rows[q]] = [0, 1].map(|i| columns.each_ref().map(|pair| pair[i].clone()));
     }
 }
 

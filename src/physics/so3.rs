@@ -88,7 +88,9 @@ pub(crate) fn exact_sine_and_cosine(degrees: DoubleDouble) -> (DoubleDouble, Dou
         sine = one + square * sine / DoubleDouble::from(2.0 * n * (2.0 * n + 1.0));
         cosine = one + square * cosine / DoubleDouble::from(2.0 * n * (2.0 * n - 1.0));
     }
-    let sine = angle * sine;
+    // Halfway the two are the same to the last bit: twice such a turn is a quarter turn.
+    let is_halfway = (whole - 90.0 * quarters).abs() == 45.0 && degrees.low == 0.0;
+    let sine = if is_halfway { cosine.scaled(angle.high.signum()) } else { angle * sine };
     match quarters.rem_euclid(4.0) as u8 {
         0 => (sine, cosine),
         1 => (cosine, -sine),

@@ -186,7 +186,7 @@ fn turned_columns(rotation_deg: DVec3) -> Columns {
     let length =
         vector.to_array().into_iter().fold(DoubleDouble::ZERO, |sum, x| sum + DoubleDouble::product(x, x)).sqrt();
     let (sine, cosine) = so3::exact_sine_and_cosine(length.scaled(0.5 * power_of_two(largest)));
-    let [x, y, z] = vector.to_array().map(|component| Dyadic::from(sine / length * component));
+    let [x, y, z] = vector.to_array().map(|component| Dyadic::from(DoubleDouble::from(component) / length * sine));
     principal::rotation([x, y, z, Dyadic::from(cosine)])
 }
 

@@ -27,10 +27,13 @@ use super::{Body, State};
 /// where the momentum stays put (a spin about a principal axis, the sphere, the plane of two equal moments, rest) the body turns
 /// evenly about it; with two equal moments the series have one term.
 ///
-/// SI units. Total: any finite time gives a rotation and a finite momentum, for every valid body. Error: a few ε at any
-/// time up to some 10¹² turns, as both rates are carried to 106 bits and the phases reduced before use; beyond 10³⁰ turns no
-/// digit of a phase is left, and what is returned is a state on the right orbit. For a body whose
-/// axes are not its principal axes, the rounding of the principal frame adds `ε|Ω|t`.
+/// SI units. Total: any finite time gives a rotation and a finite momentum, for every valid body. The motion is that of the numbers as they were
+/// given: of a start's angular velocity, of a box's edges, of a tensor's entries, of solids. On which side of the separatrix they lie is
+/// found without rounding, principal moments and axes to 106 bits and more, both rates to 100, and phases are reduced before use. So
+/// attitude and momentum are good to 1e-13 up to some 10¹³ rad (seen: 1.1e-14), in turned frames too; beyond 10³⁰ turns no digit of a phase is left, and what
+/// is returned is a state on the right orbit. Moments further apart than 2¹⁸⁰ are taken as that far apart. See [`bounds`](super::bounds).
+///
+/// Preparing costs about a microsecond, two where a hard case needs digits; three where a tensor is turned beside an axis of its own.
 ///
 /// Source: Jacobi, J. reine angew. Math. 39 (1849) 293, with the singularity of his angles removed; van Zon & Schofield,
 /// J. Comput. Phys. 225 (2007) 145.
@@ -63,7 +66,7 @@ impl Motion {
             start: *start,
             world_from_start: start.world_from_body * body_from_orbit * start_inverse,
             orbit_from_body: body_from_orbit.transpose(),
-            body_from_orbit: orbit.to_momentum(body_from_orbit),
+            body_from_orbit: orbit.with_momentum_unit(body_from_orbit),
         };
         (motion, orbit)
     }

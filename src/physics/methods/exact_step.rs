@@ -324,12 +324,11 @@ impl Stepper for ExactStep {
         self.calibrate(step);
         let signed = count.min(i64::MAX as u64).cast_signed();
         self.count += if step < 0.0 { -signed } else { signed };
-        match &self.calibration.constants {
-            Some(constants) => self.rounds.advance(constants, count),
-            None => {
-                self.rounds.attitude = self.path.at(self.time()).0;
-                self.rounds.attitude_rest = NOTHING;
-            }
+        if let Some(constants) = &self.calibration.constants {
+            self.rounds.advance(constants, count);
+        } else {
+            self.rounds.attitude = self.path.at(self.time()).0;
+            self.rounds.attitude_rest = NOTHING;
         }
         Ok(())
     }
