@@ -146,8 +146,10 @@ pub(crate) const KINDS: &[Kind] = &[
         own_axes(r, [a, b, a + b], spin)
     }),
     kind("moments that no solid has", |r| {
+        // It nutates 1/√(ab) times as fast as it turns: the phases are to stay below some 1e13 rad.
         let (a, b) = (power(r, -8.0, 0.0), power(r, -8.0, 0.0));
-        own_axes(r, [a, b, 1.0], spin)
+        let start = own_axes(r, [a, b, 1.0], spin);
+        Start { time: start.time * (a * b).sqrt(), ..start }
     }),
     kind("tiny and huge momentum", |r| {
         let unit = power(r, -290.0, 150.0);

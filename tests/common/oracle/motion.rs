@@ -49,6 +49,10 @@ pub(crate) struct Oracle {
     pub(crate) ell: Real,
     pub(crate) speed: Real,
     pub(crate) fastest: Real,
+    /// The kinetic energy.
+    pub(crate) energy: Real,
+    /// In ascending order, with their axes as rows.
+    pub(crate) principal: Principal,
     /// The signed permutation of the principal frame, and the principal frame.
     standard_from_body: Matrix,
     /// Of the standard position.
@@ -188,6 +192,7 @@ impl Oracle {
         let short = |v: Vector| v.map(|x| with_bits(x, bits));
         let mut axes = start.principal.principal_from_body.map(short);
         let mut i = short(start.principal.moments);
+        let principal = Principal { moments: i.clone(), principal_from_body: axes.clone() };
         let mut omega = short(start.angular_velocity);
         let [mut d21, mut d31, mut d32] = short(start.differences);
         let mut second = with_bits(start.second, bits);
@@ -222,6 +227,8 @@ impl Oracle {
             turning,
             is_symmetric,
             ell,
+            energy: dot(&momentum, &omega) / Real::from(2),
+            principal,
             fastest: speed.clone(),
             speed,
             standard_from_body: axes,
