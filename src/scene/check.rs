@@ -399,13 +399,14 @@ mod tests {
     #[test]
     fn a_view_is_as_it_is_said() -> Result<(), SceneError> {
         let text = "[view]\nlayout = 'body'\ntheme = 'light'\nshow = ['a']\nhide = ['b']\nlabels = false\nfont_scale = 8\n\
-                    azimuth_deg = -1\nelevation_deg = 2\ndistance = 3\nworld_camera.distance = 4\nbody_camera.distance = 5";
+                    azimuth_deg = -1\nelevation_deg = 2\ndistance = 3\nworld_camera.distance = 4\nbody_camera.distance = 5\ntime_unit = 'd'";
         let scene = check(text)?;
         let (view, file) = (&scene.view, &scene.file.view);
         assert_eq!((view.layout, view.theme, view.labels, view.font_scale), (Layout::Body, Theme::Light, false, 8.0));
         assert_eq!((&view.show, &view.hide), (&file.show, &file.hide));
         assert_eq!((view.azimuth_deg, view.elevation_deg, view.distance), (Some(-1.0), Some(2.0), Some(3.0)));
         assert_eq!((view.world_camera, view.body_camera), (file.world_camera, file.body_camera));
+        assert_eq!((view.time_unit.sign(), check("")?.view.time_unit.sign()), ("d", "s"));
         assert!(check("view.font_scale = 0.25").is_ok());
         Ok(())
     }
