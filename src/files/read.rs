@@ -139,7 +139,7 @@ mod tests {
             })
             .collect();
         assert_eq!(said.len(), 5, "{said:?}");
-        for (said, wanted) in said.iter().zip(["a.toml A", "`title`", "UTF-16", "whole number", "1048577"]) {
+        for (said, wanted) in said.iter().zip(["a.toml A", "`title`", "UTF-16", "spin.axis is true", "1048577"]) {
             assert!(said.contains(wanted), "{said} says nothing of {wanted}");
         }
         let empty = tempfile::tempdir()?;

@@ -199,6 +199,7 @@ fn the_pointer_picks_starts_on_the_sphere() -> Result<(), SceneError> {
     let before = driven.file().spin.clone();
     driven.apply(Command::Pick(outside));
     assert_eq!(driven.file().spin, before);
+    driven.session.say_nothing();
     driven.apply(Command::Pick(middle));
     assert!(driven.file().spin.omega.is_some() && driven.message().is_empty());
     // The tip is now where the click was, to a pixel.
