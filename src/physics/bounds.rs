@@ -63,7 +63,7 @@ pub const CLOSED_FORM_MOMENTUM: Bound = Bound {
 pub const EXACT_STEP_ATTITUDE: Bound = Bound {
     of: "exact-step",
     quantity: "angle to the exact attitude (rad)",
-    domain: "steps of any length, fewer than one a radian of |Ω|t or not; moments no further apart than 2¹⁸⁰",
+    domain: "steps of any length and number; moments no further apart than 2¹⁸⁰",
     limit: Limit::Growing(8.0),
     why: "the changes that a step adds are good to a few ε of themselves, and to the same side",
 };

@@ -11,8 +11,8 @@ use super::so3;
 
 /// Digits carried while axes are found: 320 bits at least, of which a needle or a pair of nearly equal moments may take two thirds.
 pub(crate) const LIMBS: usize = 6;
-/// A turn by less than `2⁻¹¹⁰` is none to 106 bits.
-const SMALLEST_TURN: f64 = 7.703_719_777_548_943e-34;
+/// The square of a turn by less than `2⁻⁵⁶` is nothing to 106 bits.
+const SMALL_TURN: f64 = 1.387_778_780_781_445_7e-17;
 /// What rounding leaves where there is nothing, in units of the largest entry: below `2⁻²⁵⁰`.
 const NOTHING: f64 = 5.527_147_875_260_445e-76;
 
@@ -228,8 +228,8 @@ pub(crate) fn product([xx, yy, zz, xy, xz, yz]: &Tensor, v: &[Dyadic; 3]) -> [Dy
 /// Eigenvalues and axes of a tensor with entries near 1.
 ///
 /// Jacobi's rotations in f64 come first. The rotation they end with, as a quaternion, is a rotation without error once it is divided by its
-/// squared length; so is one by the angle whose half has the tangent τ, for any τ. Cyclic rotations of that kind, τ from f64 and all else in
-/// [`LIMBS`], then take 53 bits a sweep off what is left beside the diagonal.
+/// squared length; so is one by the angle whose half has the tangent τ, for any τ. A cycle or two of rotations of that kind, τ from f64 and all else in
+/// [`LIMBS`], leave turns so small that their squares are nothing, and those are taken to first order.
 fn diagonalize(tensor: &Tensor) -> ([Dyadic; 3], [[DoubleDouble; 3]; 3]) {
     let [xx, yy, zz, xy, xz, yz] = tensor.each_ref().map(Dyadic::value);
     let rough = super::body::symmetric_eigen(DMat3::from_cols_array(&[xx, xy, xz, xy, yy, yz, xz, yz, zz])).1;
@@ -247,25 +247,39 @@ fn diagonalize(tensor: &Tensor) -> ([Dyadic; 3], [[DoubleDouble; 3]; 3]) {
     }
     for _sweep in 0..16 {
         let mut is_done = true;
-        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
-            let beside = a[p][q].value();
-            if beside.abs() < NOTHING {
-                continue;
+        for (p, q) in PAIRS {
+            let tangent = tangent_of_turn(&a, p, q);
+            if tangent.abs() >= SMALL_TURN {
+                is_done = false;
+                rotate(&mut a, &mut axes, p, q, tangent / (1.0 + tangent.hypot(1.0)));
             }
-            let theta = (&a[q][q] - &a[p][p]).value() / (2.0 * beside);
-            let tangent = 1f64.copysign(theta) / (theta.abs() + theta.hypot(1.0));
-            if tangent.abs() < SMALLEST_TURN {
-                continue;
-            }
-            is_done = false;
-            rotate(&mut a, &mut axes, p, q, tangent / (1.0 + tangent.hypot(1.0)));
         }
         if is_done {
             break;
         }
     }
-    let axes = axes.each_ref().map(|axis| axis.each_ref().map(|x| x.wide().in_unit(0)));
+    let mut axes = axes.each_ref().map(|axis| axis.each_ref().map(|x| x.wide().in_unit(0)));
+    for (p, q) in PAIRS {
+        let tangent = tangent_of_turn(&a, p, q);
+        let shift = &Dyadic::from(tangent) * &a[p][q];
+        a[p][p] = &a[p][p] - &shift;
+        a[q][q] = &a[q][q] + &shift;
+        let turned = [0, 1, 2].map(|i| (axes[p][i] - axes[q][i] * tangent, axes[q][i] + axes[p][i] * tangent));
+        (axes[p], axes[q]) = (turned.map(|(x, _)| x), turned.map(|(_, y)| y));
+    }
     ([0, 1, 2].map(|i| a[i][i].clone()), axes)
+}
+
+const PAIRS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
+
+/// Of the turn in the plane of axes p and q that leaves nothing beside the diagonal there.
+fn tangent_of_turn(a: &[[Dyadic; 3]; 3], p: usize, q: usize) -> f64 {
+    let beside = a[p][q].value();
+    if beside.abs() < NOTHING {
+        return 0.0;
+    }
+    let theta = (&a[q][q] - &a[p][p]).value() / (2.0 * beside);
+    1f64.copysign(theta) / (theta.abs() + theta.hypot(1.0))
 }
 
 /// Turns axes p and q by the angle whose half has the tangent τ.
@@ -279,13 +293,18 @@ fn rotate(a: &mut [[Dyadic; 3]; 3], axes: &mut [[Dyadic; 3]; 3], p: usize, q: us
         let first = (&(&c * x) - &(&s * y)).rounded(LIMBS);
         [first, (&(&s * x) + &(&c * y)).rounded(LIMBS)]
     };
-    for row in a.iter_mut() {
-        [row[p], row[q]] = turned(&row[p], &row[q]);
-    }
-    for rows in [a, axes] {
-        let columns = [0, 1, 2].map(|column| turned(&rows[p][column], &rows[q][column]));
-        [rows[p], rows[q]] = [0, 1].map(|i| columns.each_ref().map(|pair| pair[i].clone()));
-    }
+    // What the two axes share with the third, then with each other.
+    let r = 3 - p - q;
+    [a[r][p], a[r][q]] = turned(&a[r][p], &a[r][q]);
+    (a[p][r], a[q][r]) = (a[r][p].clone(), a[r][q].clone());
+    let first = turned(&a[p][p], &a[p][q]);
+    let second = turned(&a[q][p], &a[q][q]);
+    let [pp, pq] = turned(&first[0], &second[0]);
+    let [_, qq] = turned(&first[1], &second[1]);
+    (a[p][p], a[q][q], a[p][q]) = (pp, qq, pq.clone());
+    a[q][p] = pq;
+    let columns = [0, 1, 2].map(|column| turned(&axes[p][column], &axes[q][column]));
+    [axes[p], axes[q]] = [0, 1].map(|i| columns.each_ref().map(|pair| pair[i].clone()));
 }
 
 /// The columns of the rotation of a quaternion `x, y, z, w` of any length.
