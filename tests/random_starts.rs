@@ -6,7 +6,7 @@
 //! DZHANIBEKOV_STARTS=100000 cargo test --release --no-default-features --test random_starts -- --nocapture
 //! ```
 //!
-//! prints the worst error of each kind.
+//! prints the worst error of each kind; it takes some five minutes of one core.
 #![allow(clippy::expect_used, reason = "a test fails by it")]
 
 mod common;
@@ -229,7 +229,8 @@ fn examine(kind: usize, n: u64) -> Found {
         found.flips[n] = [time, right];
         match (time, right) {
             (None, None) => {}
-            (Some(time), Some(right)) if time == right => {}
+            // Among the denormals a time is as good as the last of their digits.
+            (Some(time), Some(right)) if (time - right).abs() <= f64::from_bits(1) => {}
             (Some(time), Some(right)) => {
                 found.measures[FLIPS + n] = in_units(FLIPS + n, (time / right - 1.0).abs(), 0.0);
             }
