@@ -46,6 +46,8 @@ pub struct WindowOptions {
     pub slides: Vec<Slide>,
     /// The file or folder that they came from, which is followed.
     pub place: Option<PathBuf>,
+    /// The time (s) that is gone to at first, as a link says it.
+    pub time: Option<f64>,
 }
 
 /// Opens the window on a scene and returns when it is closed.
@@ -72,6 +74,9 @@ pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> 
         recoveries: 0,
         trial: Trial::from_environment(),
     };
+    if let Some(time) = app.options.time {
+        app.session.apply(Command::GoTo(time), Instant::now());
+    }
     app.watch = app
         .options
         .place

@@ -200,7 +200,7 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
         let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
         let adapter = arguments.adapter.clone();
         let place = arguments.scene.place();
-        let options = dzhanibekov::app::WindowOptions { size, adapter, slides, place };
+        let options = dzhanibekov::app::WindowOptions { size, adapter, slides, place, time: arguments.scene.time() };
         dzhanibekov::app::run(scene, options).map_err(|error| Failure::could(error.to_string()))
     }
     #[cfg(not(feature = "window"))]
