@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::slides::{Opened, Slide};
 use super::undo::{Kind, Moment};
 use super::{Effect, Session, command_line, keep_choices, start};
-use crate::objects::Cameras;
+use crate::objects::{self, Cameras};
 use crate::physics::{Motion, so3};
 use crate::scene::{SceneFile, SpinFile};
 use crate::sim::Simulation;
@@ -167,7 +167,7 @@ impl Session {
             text: why,
             ..SceneFile::default()
         });
-        self.open(Opened { name, title, file, place: Some(place) });
+        self.open(Opened { name, title, file, base: None, place: Some(place) });
     }
 
     /// Opens what was read at a place: a scene, or a folder of them to go through, followed by those built in.
@@ -208,7 +208,13 @@ impl Session {
         match open.file {
             Ok(file) if file != self.opened.file => {
                 let (before, seen) = (self.moment(), self.seen());
-                let opened = Opened { name: open.name.clone(), title: String::new(), file, place: self.opened.place };
+                let opened = Opened {
+                    name: open.name.clone(),
+                    title: String::new(),
+                    file,
+                    base: None,
+                    place: self.opened.place,
+                };
                 let title = Slide { name: open.name.clone(), file: Ok(opened.file.clone()) }.title();
                 if self.open(Opened { title, ..opened }) {
                     self.undo.note(Kind::Whole, before, now);
@@ -224,7 +230,8 @@ impl Session {
     /// Takes other scenes to go through; the open one stays open, in its new place where it is there.
     pub fn set_slides(&mut self, slides: Vec<Slide>) {
         self.titles = slides.iter().map(Slide::title).collect();
-        self.opened.place = slides.iter().position(|slide| slide.name == self.opened.name);
+        let is_named = self.opened.base.is_none();
+        self.opened.place = slides.iter().position(|slide| is_named && slide.name == self.opened.name);
         self.slides = slides;
     }
 
@@ -236,7 +243,7 @@ impl Session {
             Ok(file) => {
                 let place = self.slides.iter().position(|other| other.name == slide.name);
                 let name = slide.name.clone();
-                if self.open(Opened { name: slide.name, title, file, place }) {
+                if self.open(Opened { name: slide.name, title, file, base: None, place }) {
                     let warning = self.scene.warnings().into_iter().next();
                     self.say(warning.unwrap_or(name));
                 }
@@ -245,8 +252,18 @@ impl Session {
     }
 
     pub(super) fn open_text(&mut self, name: String, text: &str) {
-        let file = SceneFile::parse(text).map_err(|error| error.to_string());
-        self.open_alone(Slide { name, file });
+        let file = match SceneFile::parse(text).and_then(|file| objects::check(&file).map(|_| file)) {
+            Ok(file) => file,
+            Err(error) => return self.say(format!("{name}: {error}")),
+        };
+        let slide = Slide { name, file: Ok(file.clone()) };
+        // No command line can name it: it is said by what differs from a scene that one can.
+        let named = super::built_in().into_iter().find_map(|slide| Some((slide.name, slide.file.ok()?)));
+        let Some((name, base)) = named else { return };
+        if self.open(Opened { name, title: slide.title(), file, base: Some(base), place: None }) {
+            let warning = self.scene.warnings().into_iter().next();
+            self.say(warning.unwrap_or(slide.name));
+        }
     }
 
     /// The text of a scene, or a place where one is; anything else is not meant for this program.
@@ -326,7 +343,7 @@ impl Session {
     pub(super) fn copy_command(&mut self) -> Vec<Effect> {
         let (name, base) = match &self.saved {
             Some((name, base)) => (name, base),
-            None => (&self.opened.name, &self.opened.file),
+            None => (&self.opened.name, self.opened.base.as_ref().unwrap_or(&self.opened.file)),
         };
         let size = self.picture_size.as_uvec2().to_array();
         let line = command_line::shot(name, base, &self.file_as_seen(), self.sim.time(), size);

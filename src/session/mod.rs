@@ -95,13 +95,15 @@ impl Session {
                 name: slide.name.clone(),
                 title: slide.title(),
                 file: slide.file.clone().unwrap_or_default(),
+                base: None,
                 place: Some(place),
             },
             // Of a scene that is none of them only what differs from the first can be said.
             None => Opened {
                 name: slides.first().map_or_else(|| "flip".to_owned(), |slide| slide.name.clone()),
                 title: scene.file.title.clone(),
-                file: slides.first().and_then(|slide| slide.file.clone().ok()).unwrap_or_default(),
+                file: scene.file.clone(),
+                base: slides.first().and_then(|slide| slide.file.clone().ok()),
                 place: None,
             },
         };

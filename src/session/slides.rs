@@ -49,6 +49,8 @@ pub(super) struct Opened {
     pub(super) title: String,
     /// Its text as it was opened.
     pub(super) file: SceneFile,
+    /// The text of the scene of that name, where it is another one: of a scene that has no name of its own.
+    pub(super) base: Option<SceneFile>,
     /// Its place in the list, where it is there.
     pub(super) place: Option<usize>,
 }

@@ -489,3 +489,21 @@ fn a_file_that_changes_is_read_again() -> Result<(), SceneError> {
     assert_eq!(driven.message(), "talk: gone");
     Ok(())
 }
+
+#[test]
+fn a_scene_without_a_name_comes_back_and_is_said_by_what_differs() -> Result<(), SceneError> {
+    let now = Instant::now();
+    let file = SceneFile::parse("title = 'Mine'\n[spin]\nrate = 4.0")?;
+    let mut session = Session::new(objects::check(&file)?, vec![], &Remembered::default(), now);
+    assert!(!session.look(None, false).is_edited());
+    session.apply(Command::SetRate(5.0), now);
+    assert!(session.look(None, false).is_edited());
+    session.apply(Command::Reopen, now);
+    assert_eq!(session.scene().file, file);
+    let copied = session.apply(Command::CopyCommand, now);
+    assert!(
+        matches!(&copied[..], [Effect::CopyText(line)] if line.starts_with("dzhanibekov shot flip ") && line.contains("--rate 4")),
+        "{copied:?}"
+    );
+    Ok(())
+}

@@ -56,7 +56,8 @@ impl Look<'_> {
     }
 
     /// Whether body, start or method are no longer those that the scene's words speak of.
-    pub(super) fn is_edited(&self) -> bool {
+    #[must_use]
+    pub fn is_edited(&self) -> bool {
         let (now, then) = (&self.scene.file, self.opened);
         now.body != then.body || now.spin != then.spin || now.motion != then.motion
     }
@@ -64,6 +65,14 @@ impl Look<'_> {
     /// The sign of the scene's unit of time.
     pub(super) fn time_unit(&self) -> &'static str {
         self.scene.view.time_unit.sign()
+    }
+
+    /// The unit of energies, with a space before it.
+    pub(super) fn energy_unit(&self) -> &'static str {
+        match self.scene.view.time_unit {
+            TimeUnit::Second => " J",
+            TimeUnit::Day => " kg m²/d²",
+        }
     }
 
     /// A length of the scene's time in words.

@@ -9,6 +9,8 @@ use crate::sim::Errors;
 
 /// Drift that reaches the edge of an invariant's frame (relative).
 const FRAME: f64 = 0.01;
+/// Digits that a number has for certain.
+const DIGITS: f64 = 15.0;
 /// Drift below which nobody would speak of one (relative).
 const STEADY: f64 = 1e-9;
 
@@ -35,9 +37,10 @@ pub(super) fn motion(ui: &mut Ui, look: &Look<'_>) {
     let state = look.sim.state();
     let omega = scene.body.body_from_principal().transpose() * state.body_angular_velocity(&scene.body);
     let rate = so3::norm(omega);
-    let energy = format!("{} J", numbers::significant(state.energy(&scene.body), 4));
+    let energy = format!("{}{}", numbers::significant(state.energy(&scene.body), 4), look.energy_unit());
     kept(ui, look, ("energy K", &energy), look.sim.energy_error(), |errors| errors.energy);
-    let momentum = format!("{} kg m²/s", numbers::significant(so3::norm(state.world_momentum), 4));
+    let momentum = numbers::significant(so3::norm(state.world_momentum), 4);
+    let momentum = format!("{momentum} kg m²/{}", look.time_unit());
     kept(ui, look, ("momentum L", &momentum), look.sim.momentum_error(), |errors| errors.momentum);
     let angle = |along: f64| if rate > 0.0 { (along.abs() / rate).min(1.0).acos().to_degrees() } else { 0.0 };
     let angles = omega.to_array().map(|along| format!("{:.0}°", angle(along)));
@@ -76,10 +79,9 @@ fn kept(ui: &mut Ui, look: &Look<'_>, (name, value): (&str, &str), drift: f64, o
 /// Whether an invariant with this relative drift stays the same, in words.
 fn stays(drift: f64) -> (String, bool) {
     let size = drift.abs();
-    if size == 0.0 {
-        ("stays the same, exactly".to_owned(), true)
-    } else if size < STEADY {
-        (format!("stays the same to {:.0} digits", (-size.log10()).floor()), true)
+    if size < STEADY {
+        // Measured, it is never known to more digits than the numbers have.
+        (format!("stays the same to {:.0} digits", (-size.log10()).floor().min(DIGITS)), true)
     } else if size < FRAME {
         (format!("drifts: off by {} of it", numbers::scientific_short(size)), false)
     } else {

@@ -122,7 +122,7 @@ fn energy(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let mut value = now;
     let row = NumberRow {
         label: "energy",
-        unit: " J",
+        unit: look.energy_unit(),
         range: (least, most),
         logarithmic: None,
         hint: "Energy K at this momentum: least for the spin about axis 3, most about axis 1; the tick is the separatrix",
