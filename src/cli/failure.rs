@@ -11,7 +11,7 @@ pub(super) enum Failure {
     /// The request was wrong: exit code 2.
     Request(String),
     /// The request was right and could not be carried out: exit code 1.
-    Could(String),
+    CouldNot(String),
     /// Who read the result went away, which is no fault: `| head -1`. Nothing is said, exit code 0.
     ReaderGone,
 }
@@ -21,21 +21,21 @@ impl Failure {
         Self::Request(message.into())
     }
 
-    pub(super) fn could(message: impl Into<String>) -> Self {
-        Self::Could(message.into())
+    pub(super) fn could_not(message: impl Into<String>) -> Self {
+        Self::CouldNot(message.into())
     }
 
     /// A part that this build of the program was made without.
     #[cfg(not(feature = "window"))]
     pub(super) fn not_built(what: &str, feature: &str) -> Self {
-        Self::could(format!("this program was built without {what}: build it with `--features {feature}`"))
+        Self::could_not(format!("this program was built without {what}: build it with `--features {feature}`"))
     }
 
     /// Prints the sentence and gives the exit code.
     pub(super) fn report(self) -> ExitCode {
         let (message, code) = match self {
             Self::Request(message) => (message, 2),
-            Self::Could(message) => (message, 1),
+            Self::CouldNot(message) => (message, 1),
             Self::ReaderGone => return ExitCode::SUCCESS,
         };
         say(&message);

@@ -24,7 +24,7 @@ pub(super) fn completions(arguments: &CompletionArguments) -> Result<(), Failure
 pub(super) fn man() -> Result<(), Failure> {
     let command = super::Arguments::command();
     let mut text = vec![];
-    let failed = |error| Failure::could(format!("the man page could not be made: {error}"));
+    let failed = |error| Failure::could_not(format!("the man page could not be made: {error}"));
     clap_mangen::Man::new(command.clone()).render(&mut text).map_err(failed)?;
     for part in command.get_subcommands().filter(|part| !part.is_hide_set()) {
         let man = clap_mangen::Man::new(part.clone().display_name(format!("dzhanibekov {}", part.get_name())));

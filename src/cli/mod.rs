@@ -201,7 +201,7 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
         let adapter = arguments.adapter.clone();
         let place = arguments.scene.place();
         let options = dzhanibekov::app::WindowOptions { size, adapter, slides, place, time: arguments.scene.time() };
-        dzhanibekov::app::run(scene, options).map_err(|error| Failure::could(error.to_string()))
+        dzhanibekov::app::run(scene, options).map_err(|error| Failure::could_not(error.to_string()))
     }
     #[cfg(not(feature = "window"))]
     {

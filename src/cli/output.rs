@@ -14,7 +14,7 @@ impl From<FileError> for Failure {
         match error {
             FileError::ReaderGone(_) => Self::ReaderGone,
             error if error.is_bad_request() => Self::request(error.to_string()),
-            error => Self::could(error.to_string()),
+            error => Self::could_not(error.to_string()),
         }
     }
 }

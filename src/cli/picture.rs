@@ -22,7 +22,7 @@ use super::times::{check_steps, short};
 
 impl From<HeadlessError> for Failure {
     fn from(error: HeadlessError) -> Self {
-        if error.is_bad_request() { Self::request(error.to_string()) } else { Self::could(error.to_string()) }
+        if error.is_bad_request() { Self::request(error.to_string()) } else { Self::could_not(error.to_string()) }
     }
 }
 
@@ -53,7 +53,7 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
         simulation.go_to(picture.time());
     }
     if let Some(error) = simulation.main().failure() {
-        return Err(Failure::could(error.to_string()));
+        return Err(Failure::could_not(error.to_string()));
     }
     let gpu = open(picture)?;
     #[cfg(feature = "window")]
@@ -64,7 +64,7 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
             command.push_str(" --panel");
         }
         let pixels = dzhanibekov::app::with_panels(&gpu, scene, picture.time(), options.size)
-            .map_err(|error| Failure::could(error.to_string()))?;
+            .map_err(|error| Failure::could_not(error.to_string()))?;
         let bytes = render::png::encode(&pixels, false, &notes).map_err(HeadlessError::from)?;
         return Ok(files::write(&arguments.output, &bytes)?);
     }
@@ -147,7 +147,7 @@ pub(super) fn adapters(arguments: &ListArguments) -> Result<(), Failure> {
         return print(&format!("{:#}\n", json!(list)));
     }
     if found.is_empty() {
-        return Err(Failure::could(render::no_adapter()));
+        return Err(Failure::could_not(render::no_adapter()));
     }
     print(&table(found.iter().map(|adapter| [&*adapter.name, adapter.kind, adapter.backend, &*adapter.driver])))
 }

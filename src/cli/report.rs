@@ -48,7 +48,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
         bar.set_message(doing.to_owned());
     });
     bar.finish_and_clear();
-    let report = report.map_err(|error| Failure::could(error.to_string()))?;
+    let report = report.map_err(|error| Failure::could_not(error.to_string()))?;
 
     if let Some(folder) = folder {
         write_folder(&report, folder)?;

@@ -23,7 +23,7 @@ pub(super) fn end_at_once() -> Result<(), Failure> {
         }
         end();
     };
-    ctrlc::set_handler(react).map_err(|error| Failure::could(format!("signals cannot be listened for: {error}")))
+    ctrlc::set_handler(react).map_err(|error| Failure::could_not(format!("signals cannot be listened for: {error}")))
 }
 
 /// From now on a signal raises a flag instead. A second one still ends the program at once: it may be waiting for
@@ -37,7 +37,7 @@ pub(super) fn raise_flag() -> &'static AtomicBool {
 /// Removes what is not whole, says so and ends.
 fn end() {
     files::abandon(|| {
-        Failure::could("stopped by a signal; nothing half-written is left").report();
+        Failure::could_not("stopped by a signal; nothing half-written is left").report();
         std::process::exit(1);
     });
 }

@@ -54,7 +54,7 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), Failure> {
     let rows = rows(arguments, &scene)?;
     let mut integration = Integration::new(scene.method, &scene.body, scene.start, scene.step);
     let mut state_at =
-        |time| integration.state_at(time).map_err(|error| Failure::could(format!("at {} s: {error}", short(time))));
+        |time| integration.state_at(time).map_err(|error| Failure::could_not(format!("at {} s: {error}", short(time))));
     write_whole(&arguments.output, |writer| {
         let mut line = HEADER.to_owned();
         let mut put = |time, state: &State| {

@@ -10,7 +10,7 @@ const TWO_COLUMNS: f32 = 860.0;
 /// Height (points) that the frame takes besides what it holds.
 const FRAME: f32 = 96.0;
 
-/// Shows it over everything.
+/// The sheet of keys, over everything.
 pub(super) fn show(ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let mut open = !ui.input(|input| input.key_pressed(Key::Escape));
     let room = ui.ctx().content_rect().size();

@@ -101,7 +101,7 @@ impl Look<'_> {
 
     /// A method's colour: as a ghost, or the body's own, which is that of M.
     pub(super) fn color_of(&self, method: &Method) -> Color32 {
-        let is_own = method.name == self.scene.method.name;
+        let is_own = *method == *self.scene.method;
         let color = if is_own { self.palette().momentum } else { objects::method_color(method, self.scene.view.theme) };
         drawn(color)
     }

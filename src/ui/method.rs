@@ -9,7 +9,7 @@ use crate::physics::METHODS;
 /// Height of a list that shows every method without scrolling (points).
 const LONGEST: f32 = 420.0;
 
-/// Shows it.
+/// The method, the methods beside it, and their step.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     section(ui, "Method");
     let scene = look.scene;
@@ -17,7 +17,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let combo = combo.selected_text(scene.method.label);
     let shown = combo.show_ui(ui, |ui| {
         for method in METHODS {
-            let row = ui.selectable_label(method.name == scene.method.name, method.label);
+            let row = ui.selectable_label(*method == *scene.method, method.label);
             if row.on_hover_text(method.source).clicked() {
                 commands.push(Command::SetMethod(method.name));
             }
@@ -49,8 +49,8 @@ fn compare(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let combo =
         ComboBox::from_id_salt("compare").width(width).height(LONGEST).selected_text(&name).close_behavior(close);
     let shown = combo.show_ui(ui, |ui| {
-        for method in METHODS.iter().filter(|method| method.name != scene.method.name) {
-            let mut is_on = scene.compare.iter().any(|other| other.name == method.name);
+        for method in METHODS.iter().filter(|method| **method != *scene.method) {
+            let mut is_on = scene.compare.iter().any(|other| **other == *method);
             if ui.checkbox(&mut is_on, look.method_text(method)).changed() {
                 commands.push(Command::Compare { method: method.name, is_on });
             }

@@ -7,7 +7,7 @@ use super::{Command, Look, keys};
 use crate::objects::{self, Space};
 use crate::scene::{Layout, Theme};
 
-/// Shows it.
+/// What is drawn, how it is looked at, and what to keep of it.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     section(ui, "View");
     let layouts = [

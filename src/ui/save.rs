@@ -4,7 +4,7 @@ use egui::{Align2, Key, Ui, Window};
 
 use super::Command;
 
-/// Shows it over everything. Enter takes the file that is offered, Esc leaves everything as it is.
+/// The question, over everything. Enter takes the file that is offered, Esc leaves everything as it is.
 pub(super) fn show(ui: &Ui, place: &str, commands: &mut Vec<Command>) {
     let answer = Window::new("Save the scene").anchor(Align2::CENTER_CENTER, [0.0, 0.0]).collapsible(false);
     let answer = answer.resizable(false).show(ui.ctx(), |ui| {

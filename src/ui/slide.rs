@@ -18,7 +18,7 @@ const FADED: f32 = 0.45;
 /// Most signs that are named which no font has.
 const MOST_MISSING: usize = 12;
 
-/// Shows it, where the scene says anything, and only as many of its parts as this height (points) holds.
+/// The title, the words and the question, where the scene says anything, and only as many of its parts as this height (points) holds.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
     let file = &look.scene.file;
     let text_color = ui.visuals().text_color();

@@ -43,7 +43,7 @@ impl Spin {
     }
 }
 
-/// Shows it.
+/// The start: axis, tilt, rate and energy, and the buttons for other starts.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     section(ui, "Spin");
     let mut spin = Spin::of(look.scene);

@@ -50,7 +50,7 @@ impl Timeline {
     }
 }
 
-/// Shows it.
+/// The scrub bar with its flips; dragged, clicked or moved by arrows it goes to a time.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let Timeline { low, high, .. } = *look.timeline;
     let time = look.sim.time();

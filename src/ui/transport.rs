@@ -20,7 +20,7 @@ pub(super) const SECOND_ROW: f32 = 44.0;
 /// How long before a flip (s of real time) its countdown lights up.
 const SOON: f64 = 1.0;
 
-/// Shows it.
+/// The scrub bar, and below it the buttons, the clock, the flips that come and the speed.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     timeline::show(ui, look, commands);
     ui.add_space(2.0);

@@ -57,10 +57,10 @@ impl Ffmpeg {
             .stderr(Stdio::piped())
             .spawn()
             .map_err(|error| not_started(&error))?;
-        let stdin = child.stdin.take().ok_or_else(|| Failure::could("ffmpeg takes no input"))?;
+        let stdin = child.stdin.take().ok_or_else(|| Failure::could_not("ffmpeg takes no input"))?;
         let words = child.stderr.take().map(|stderr| std::thread::spawn(move || first_words(stderr)));
         let stream = Y4m::new(BufWriter::new(stdin), size, rate)
-            .map_err(|error| Failure::could(format!("ffmpeg takes no input: {error}")))?;
+            .map_err(|error| Failure::could_not(format!("ffmpeg takes no input: {error}")))?;
         Ok(Self { child, stream: Some(Box::new(stream)), words })
     }
 
@@ -89,10 +89,10 @@ fn ffmpeg() -> Command {
 /// Why there is no ffmpeg at work.
 fn not_started(error: &io::Error) -> Failure {
     match error.kind() {
-        io::ErrorKind::NotFound => Failure::could(
+        io::ErrorKind::NotFound => Failure::could_not(
             "an .mp4 needs ffmpeg, which was not found: install it (on Debian apt-get install ffmpeg) or record .apng or .gif",
         ),
-        _ => Failure::could(format!("ffmpeg could not be started: {error}")),
+        _ => Failure::could_not(format!("ffmpeg could not be started: {error}")),
     }
 }
 
@@ -113,7 +113,7 @@ fn encoder() -> Result<(&'static str, &'static [&'static str]), Failure> {
     // The others may be listed and want a device that is not there.
     ENCODERS.into_iter().find(|(name, _)| has(name) && can_encode(name)).ok_or_else(|| {
         let names = ENCODERS.map(|(name, _)| name).join(", ");
-        Failure::could(format!(
+        Failure::could_not(format!(
             "the ffmpeg here has no encoder of H.264 that works ({names}): install one with libx264 (Debian's has it), record .apng or .gif, or pipe `-o -` into a codec that it has"
         ))
     })

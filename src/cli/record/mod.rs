@@ -71,7 +71,7 @@ enum Format {
 fn movie_failure(output: &Path, error: MovieError) -> Failure {
     match error {
         MovieError::Io(error) => io_failure(output, error),
-        MovieError::Format(reason) => Failure::could(format!("the recording could not be written: {reason}")),
+        MovieError::Format(reason) => Failure::could_not(format!("the recording could not be written: {reason}")),
     }
 }
 
@@ -149,7 +149,10 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
     if !is_finished {
         let left =
             if matches!(format, Format::Numbered(_)) { "the frames there are whole" } else { "no file was left" };
-        return Err(Failure::could(format!("stopped by a signal after {} of {count} frames; {left}", bar.position())));
+        return Err(Failure::could_not(format!(
+            "stopped by a signal after {} of {count} frames; {left}",
+            bar.position()
+        )));
     }
     if !picture.quiet {
         let seconds = begun.elapsed().as_secs_f64();

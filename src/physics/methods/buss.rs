@@ -27,7 +27,7 @@ pub(super) const METHOD: Method = Method {
 struct Buss;
 
 impl MeanVelocity for Buss {
-    fn turn(inverse_moments: DVec3, momentum: DVec3, step: f64) -> Option<DQuat> {
+    fn rotation_of_step(inverse_moments: DVec3, momentum: DVec3, step: f64) -> Option<DQuat> {
         let velocity = inverse_moments * momentum;
         let acceleration = -inverse_moments * velocity.cross(momentum);
         let mean = velocity + 0.5 * step * acceleration + step * step / 12.0 * acceleration.cross(velocity);

@@ -27,7 +27,7 @@ pub(super) const METHOD: Method = Method {
 struct LieEuler;
 
 impl MeanVelocity for LieEuler {
-    fn turn(inverse_moments: DVec3, momentum: DVec3, step: f64) -> Option<DQuat> {
+    fn rotation_of_step(inverse_moments: DVec3, momentum: DVec3, step: f64) -> Option<DQuat> {
         Some(turn_by(inverse_moments * momentum, step))
     }
 }

@@ -10,7 +10,8 @@ use crate::physics::so3;
 /// The body's angular velocity over one step, in body components: all that sets one method apart from another.
 /// `None` where it is the solution of an equation and none was found.
 pub(super) trait MeanVelocity: Send + 'static {
-    fn turn(inverse_moments: DVec3, momentum: DVec3, step: f64) -> Option<DQuat>;
+    /// The rotation that one step makes, in the principal frame.
+    fn rotation_of_step(inverse_moments: DVec3, momentum: DVec3, step: f64) -> Option<DQuat>;
 }
 
 /// The rotation by a mean angular velocity during a step.
@@ -42,7 +43,7 @@ impl<V: MeanVelocity> Stepper for LieGroup<V> {
         let mut attitude = self.attitude;
         for _ in 0..count {
             let momentum = so3::rotate_back(attitude, self.world_momentum);
-            let turn = V::turn(self.inverse_moments, momentum, step).ok_or(Failure::NotSolved)?;
+            let turn = V::rotation_of_step(self.inverse_moments, momentum, step).ok_or(Failure::NotSolved)?;
             attitude = so3::renormalize(attitude * turn);
         }
         if !attitude.is_finite() {

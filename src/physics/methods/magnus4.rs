@@ -30,7 +30,7 @@ pub(super) const METHOD: Method = Method {
 struct Magnus4;
 
 impl MeanVelocity for Magnus4 {
-    fn turn(inverse_moments: DVec3, momentum: DVec3, h: f64) -> Option<DQuat> {
+    fn rotation_of_step(inverse_moments: DVec3, momentum: DVec3, h: f64) -> Option<DQuat> {
         let m0 = momentum;
         let v0 = inverse_moments * m0;
         let m1 = m0.cross(v0);

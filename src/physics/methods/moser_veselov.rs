@@ -32,7 +32,7 @@ pub(super) const METHOD: Method = Method {
 struct MoserVeselov;
 
 impl MeanVelocity for MoserVeselov {
-    fn turn(inverse_moments: DVec3, momentum: DVec3, step: f64) -> Option<DQuat> {
+    fn rotation_of_step(inverse_moments: DVec3, momentum: DVec3, step: f64) -> Option<DQuat> {
         solve(inverse_moments, 0.5 * step * momentum)
     }
 }
