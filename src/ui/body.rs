@@ -233,3 +233,73 @@ fn moments_of(body: &Body) -> BodyFile {
     }
     BodyFile { inertia: Some(tensor), ..BodyFile::default() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Given, box_of, entries, given, moments_of, with_edges, with_moments};
+    use crate::physics::Body;
+    use crate::scene::{BodyFile, Scene, SceneError, SceneFile};
+    use glam::{DMat3, DVec3};
+
+    /// Principal moments 1.33, 3.47 and 4.53 g m², turned about the axis of the largest.
+    const TURNED: [f64; 6] =
+        [0.002_034_038_446_641_534_3, 0.002_765_961_553_358_465_3, 0.004_53, -0.001_005_471_104_240_922, 0.0, 0.0];
+
+    fn body_of(file: &BodyFile) -> Result<Body, SceneError> {
+        Ok(Scene::check(&SceneFile { body: file.clone(), ..SceneFile::default() })?.body)
+    }
+
+    fn turned() -> BodyFile {
+        BodyFile { inertia: Some(TURNED), ..BodyFile::default() }
+    }
+
+    /// Ten operations on numbers of the tensor's size.
+    fn are_near(a: [f64; 6], b: [f64; 6]) -> bool {
+        let largest = a.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+        a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-14 * largest)
+    }
+
+    #[test]
+    fn a_turned_tensor_is_a_turned_box_of_the_same_tensor() -> Result<(), SceneError> {
+        let body = body_of(&turned())?;
+        let file = box_of(&body, 1.0);
+        assert_eq!(given(&file), Given::Edges);
+        let mut edges = super::edges_of(&file);
+        edges.sort_by(f64::total_cmp);
+        // Moments 1.33 : 3.47 : 4.53 are those of a box 30 : 17.9 : 6, to one in the last digit given.
+        for (edge, wanted) in edges.into_iter().zip([6.0, 17.9, 30.0]) {
+            assert!((30.0 * edge / edges[2] - wanted).abs() < 0.1, "{edge} {wanted}");
+        }
+        assert!(are_near(entries(body_of(&file)?.inertia()), TURNED));
+        // An edge that is changed leaves the turn as it is.
+        let longer = body_of(&with_edges(&file, [0.3, edges[1], edges[0]]))?;
+        let turn = longer.body_from_principal().transpose() * body_of(&file)?.body_from_principal();
+        let is_permutation = turn.to_cols_array().iter().all(|entry| entry.abs() < 1e-12 || entry.abs() > 1.0 - 1e-12);
+        assert!(is_permutation, "{turn}");
+        Ok(())
+    }
+
+    #[test]
+    fn moments_of_a_turned_body_change_about_its_own_axes() -> Result<(), SceneError> {
+        let body = body_of(&turned())?;
+        assert_eq!(given(&turned()), Given::Moments);
+        let changed = with_moments(&turned(), &body, [0.0015, 0.0035, 0.0045]);
+        let after = body_of(&changed)?;
+        assert!((after.principal_moments() - DVec3::new(0.0015, 0.0035, 0.0045)).length() < 1e-17);
+        let turn = after.body_from_principal().transpose() * body.body_from_principal();
+        assert!((turn - DMat3::IDENTITY).to_cols_array().iter().all(|entry| entry.abs() < 1e-13), "{turn}");
+        assert_eq!(moments_of(&body).inertia, Some(TURNED));
+        Ok(())
+    }
+
+    #[test]
+    fn moments_along_the_axes_are_a_box_along_them() -> Result<(), SceneError> {
+        let file = BodyFile { moments: Some([0.003, 0.002, 0.004]), ..BodyFile::default() };
+        let body = body_of(&file)?;
+        let as_box = box_of(&body, 1.0);
+        assert!(as_box.solids.is_empty() && as_box.edges.is_some());
+        assert!(are_near(entries(body_of(&as_box)?.inertia()), [0.003, 0.002, 0.004, 0.0, 0.0, 0.0]));
+        assert_eq!(moments_of(&body).moments, Some([0.003, 0.002, 0.004]));
+        Ok(())
+    }
+}
