@@ -187,13 +187,16 @@ fn add<S: Simd>(simd: S, lane: usize, group: &mut Group) {
     let [c, s, d] = functions.each_ref().map(|column| load(simd, column, lane));
     let [cn, sn, cn_dn, sn_dn, cn_squared, sn_squared, dn_squared, least, k2, k1_2] =
         increment.each_ref().map(|column| load(simd, column, lane));
-    let inverse = one / sn_squared.mul_add(d * d, cn_squared);
+    let denominator = sn_squared.mul_add(d * d, cn_squared);
+    let inverse = one / denominator;
     let (minuend, subtrahend) = (c * cn, (s * d) * sn_dn);
-    let difference = (c * c).mul_sub(dn_squared, least);
+    let square = c * c;
     let (sum, rest) = (minuend + subtrahend, minuend - subtrahend);
-    let is_sum = sum.abs().simd_gt(rest.abs());
+    let is_better = (sum * sum).simd_ge(denominator * square.mul_add(dn_squared, least));
+    let is_quotient = sum.abs().simd_gt(rest.abs()) & is_better;
     // Where both are 0 the quotient is not taken.
-    let cosine = is_sum.select(difference / is_sum.select(sum, one), rest * inverse);
+    let difference = square.mul_sub(dn_squared, least);
+    let cosine = is_quotient.select(difference / is_quotient.select(sum, one), rest * inverse);
     let sine = s.mul_add(cn_dn, (c * d) * sn) * inverse;
     let beyond = (-cosine).mul_add(cosine, (-sine).mul_add(sine, one)) * 0.5;
     let (cosine, sine) = (cosine.mul_add(beyond, cosine), sine.mul_add(beyond, sine));

@@ -410,16 +410,23 @@ impl Increment {
     /// `D = c₁² + s₁²d²`.
     ///
     /// Beside the separatrix c, d and D are small, and a long increment towards the middle axis would leave no digit of the difference in
-    /// cn; from `(c c₁)² − (s s₁ d d₁)² = D (c²d₁² − k′²s₁²)` it is a quotient that keeps them. sn and cn are
-    /// brought back to their circle to first order, and dn is taken from `dn² = k′² + k² cn²`, relatively exact however
+    /// cn; from `(c c₁)² − (s s₁ d d₁)² = D (c²d₁² − k′²s₁²)` it is a quotient that keeps them. But that has a difference too, of which nothing
+    /// is left where an increment of a quarter period starts at `sn = 0`. With Σ the sum of the two products and Σ′ that of the two squares, the
+    /// quotient is wrong by `εΣ′/Σ` and the plain difference by `εΣ/D`: the better is taken. As neither square is above D, it is below `√2 ε`,
+    /// and what matters beside the separatrix, the error over dn, is some ε too.
+    ///
+    /// sn and cn are brought back to their circle to first order, and dn is taken from `dn² = k′² + k² cn²`, relatively exact however
     /// small it is: by a recurrence of its own it would leave that curve exponentially.
     #[inline]
     pub(crate) fn add(&self, [c, s, d]: [f64; 3]) -> [f64; 3] {
-        let inverse = 1.0 / (self.cn_squared + self.sn_squared * (d * d));
+        let denominator = self.cn_squared + self.sn_squared * (d * d);
+        let inverse = 1.0 / denominator;
         let (minuend, subtrahend) = (c * self.cn, (s * d) * self.sn_dn);
-        let difference = (c * c) * self.dn_squared - self.least;
+        let first = (c * c) * self.dn_squared;
         let (sum, rest) = (minuend + subtrahend, minuend - subtrahend);
-        let cosine = if sum.abs() > rest.abs() { difference / sum } else { rest * inverse };
+        // Where all are too small to be squared the quotient is taken, and is 0.
+        let is_quotient = sum.abs() > rest.abs() && sum * sum >= denominator * (first + self.least);
+        let cosine = if is_quotient { (first - self.least) / sum } else { rest * inverse };
         let sine = (s * self.cn_dn + (c * d) * self.sn) * inverse;
         let scale = 1.5 - 0.5 * (cosine * cosine + sine * sine);
         let cosine = cosine * scale;
