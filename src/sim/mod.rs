@@ -4,6 +4,8 @@ mod clock;
 mod flips;
 mod history;
 mod simulation;
+#[cfg(test)]
+mod tests;
 
 pub use clock::{Clock, Tick};
 pub use flips::FlipWatch;
