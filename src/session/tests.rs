@@ -507,3 +507,22 @@ fn a_scene_without_a_name_comes_back_and_is_said_by_what_differs() -> Result<(),
     );
     Ok(())
 }
+
+#[test]
+fn a_notch_of_the_wheel_is_a_tenth_and_undo_leaves_the_camera_of_its_scene() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::PlayPause);
+    let at = Pixels::new(100.0, 100.0);
+    let before = driven.session.cameras.world.distance;
+    driven.apply(Command::Zoom { at, by: 1.1 });
+    let after = driven.session.cameras.world.distance;
+    assert!((before / after - 1.1).abs() < 1e-5, "{before} {after}");
+    // A change of the same scene that is taken back leaves the camera where it is; another scene has its own.
+    driven.apply(Command::SetRate(2.0));
+    driven.apply(Command::Undo);
+    assert_eq!(driven.session.cameras.world.distance, after);
+    driven.apply(Command::NextScene);
+    driven.apply(Command::Undo);
+    assert_eq!(driven.session.cameras.world.distance, before);
+    Ok(())
+}
