@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::ReportError;
 use crate::physics::poinsot::flip_period;
-use crate::physics::{Body, Integration, Method, MethodError, Motion, State, so3};
+use crate::physics::{Body, Integration, Method, MethodError, Motion, State, motion, so3};
 use crate::scene::Scene;
 
 /// Attitudes from 60-digit arithmetic.
@@ -161,14 +161,10 @@ impl Case {
     /// How far a state at a time is from the truth.
     #[must_use]
     pub fn errors(&self, time: f64, state: &State) -> Errors {
-        let momentum = state.world_from_body * state.body_momentum;
-        let start = self.start.world_from_body * self.start.body_momentum;
-        let energy = self.start.energy(&self.body);
-        let relative = |difference: f64, whole: f64| if whole == 0.0 { difference } else { difference / whole };
         Errors {
             attitude_error: so3::angle_between(self.truth(time).0, state.world_from_body),
-            energy_error: relative((state.energy(&self.body) - energy).abs(), energy),
-            momentum_error: relative(so3::norm(momentum - start), so3::norm(start)),
+            energy_error: motion::energy_error(&self.body, &self.start, state).abs(),
+            momentum_error: motion::momentum_error(&self.start, state),
             orthogonality_error: so3::orthogonality_error(state.world_from_body),
         }
     }
