@@ -4,13 +4,9 @@
 
 mod files;
 mod mapping;
-mod offscreen;
 mod open;
-mod pacing;
 mod remember;
-mod screen;
 mod startup;
-mod surface;
 mod trial;
 mod watch;
 
@@ -24,14 +20,13 @@ use winit::window::WindowId;
 use web_time::Instant;
 
 pub use files::read_slides;
-pub use offscreen::with_panels;
 pub use startup::WindowError;
 
 use crate::scene::Scene;
 use crate::session::{Effect, Remembered, Session, Slide};
+use crate::stage::Pacer;
 use crate::ui::{Command, Panels};
 use open::OpenWindow;
-use pacing::Pacer;
 use trial::{Frame, Trial};
 use watch::Watch;
 
@@ -64,9 +59,8 @@ pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> 
         proxy: event_loop.create_proxy(),
         session: Session::new(scene, slides, &remembered, Instant::now()),
         jumps: 0,
-        drawn: None,
         panels: Panels::default(),
-        pacer: Pacer::new(),
+        pacer: Pacer::new(Instant::now()),
         window: None,
         repaint_at: None,
         error: None,
@@ -124,8 +118,6 @@ struct App {
     session: Session,
     /// What was last seen of the session's jumps in time.
     jumps: u64,
-    /// The revision that the picture shows.
-    drawn: Option<u64>,
     panels: Panels,
     pacer: Pacer,
     window: Option<OpenWindow>,
@@ -166,7 +158,6 @@ impl App {
                 return;
             }
         }
-        self.drawn = None;
         self.wake();
     }
 
@@ -193,7 +184,7 @@ impl App {
         }
         let simulation = now.elapsed();
         let factor = self.pacer.real_time_factor();
-        let drawn = window.draw(event_loop, &mut self.session, &mut self.panels, factor, &mut self.drawn);
+        let drawn = window.draw(event_loop, &mut self.session, &mut self.panels, factor);
         if drawn.is_shown {
             self.recoveries = 0;
         }

@@ -63,7 +63,7 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
         if let Some((_, command)) = notes.last_mut() {
             command.push_str(" --panel");
         }
-        let pixels = dzhanibekov::app::with_panels(&gpu, scene, picture.time(), options.size)
+        let pixels = dzhanibekov::stage::with_panels(&gpu, scene, picture.time(), options.size)
             .map_err(|error| Failure::could_not(error.to_string()))?;
         let bytes = render::png::encode(&pixels, false, &notes).map_err(HeadlessError::from)?;
         return Ok(files::write(&arguments.output, &bytes)?);

@@ -1,0 +1,3 @@
+//! The page.
+/// Starts.
+pub fn start() {}
