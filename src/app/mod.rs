@@ -233,11 +233,13 @@ impl App {
                     self.session.say(outcome.unwrap_or_else(|why| why));
                 }
             }
-            Effect::CopyText(text) => {
+            Effect::CopyText(text) | Effect::CopyLink(text) => {
                 if let Some(window) = &mut self.window {
                     window.copy(text);
                 }
             }
+            // Only a page offers it: to a window files are given by dropping them.
+            Effect::ChooseFile => {}
             Effect::FocusPanel => self.panels.take_focus(),
             Effect::ToggleFullscreen => {
                 if let Some(window) = &self.window {

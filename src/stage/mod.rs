@@ -44,6 +44,8 @@ pub struct Stage {
     theme: Option<Theme>,
     /// The revision that the picture shows.
     drawn: Option<u64>,
+    /// Where it is (points).
+    picture: egui::Rect,
 }
 
 /// What the panels are told besides the session.
@@ -93,7 +95,7 @@ impl Stage {
         let screen = Screen::open(instance, surface, adapter, size, on_lost).await?;
         let context = egui::Context::default();
         style::install(&context);
-        Ok(Self { screen, context, theme: None, drawn: None })
+        Ok(Self { screen, context, theme: None, drawn: None, picture: egui::Rect::NOTHING })
     }
 
     /// The panels' own state, which whoever feeds events needs.
@@ -128,6 +130,12 @@ impl Stage {
     #[must_use]
     pub fn size(&self) -> (u32, u32) {
         self.screen.size()
+    }
+
+    /// Where the picture is (points).
+    #[must_use]
+    pub fn picture(&self) -> egui::Rect {
+        self.picture
     }
 
     /// Follows the screen's size (pixels).
@@ -168,6 +176,7 @@ impl Stage {
             .map(|viewport| viewport.repaint_delay)
             .filter(|delay| *delay < LONG);
 
+        self.picture = picture;
         let panels_done = Instant::now();
         let corner = self.draw_picture(session, picture, output.pixels_per_point);
         let picture_done = Instant::now();

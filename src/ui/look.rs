@@ -45,6 +45,8 @@ pub struct Look<'a> {
     pub can_undo: (bool, bool),
     /// Whether the window fills the screen.
     pub fullscreen: bool,
+    /// What all this is shown by.
+    pub front: Front,
     /// A sentence for the user about what was last done or refused.
     pub message: Option<&'a str>,
 }
@@ -116,6 +118,16 @@ impl Look<'_> {
 fn drawn(color: Color) -> Color32 {
     let [r, g, b, _] = color.0.map(|channel| (channel * 255.0).round() as u8);
     Color32::from_rgb(r, g, b)
+}
+
+/// What the panels are shown by: only what it can do is offered.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Front {
+    /// A window of its own, with files around it.
+    #[default]
+    Window,
+    /// A page in a browser, which has keys of its own, downloads and an address.
+    Page,
 }
 
 /// What is shown besides the picture.

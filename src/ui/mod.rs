@@ -24,7 +24,7 @@ use egui::{ComboBox, Frame, Margin, Panel, Rect, RichText, ScrollArea, Ui};
 
 pub use command::{Command, Pixels};
 pub use keys::path_in;
-pub use look::{Look, Preview, Shown};
+pub use look::{Front, Look, Preview, Shown};
 pub use spin::Spin;
 pub use timeline::Timeline;
 pub use transport::SPEED_POWERS;
