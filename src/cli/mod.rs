@@ -15,6 +15,8 @@ mod record;
 #[cfg(feature = "report")]
 mod report;
 mod signal;
+#[cfg(feature = "headless")]
+mod size;
 mod times;
 mod trace;
 

@@ -11,9 +11,11 @@ use std::time::Instant;
 
 use clap::Args;
 use dzhanibekov::files::{self, Output, Sink};
-use dzhanibekov::headless::{Apng, FrameRate, Gif, HeadlessError, Movie, MovieError, Recording, Studio, Y4m, record};
-use dzhanibekov::objects::{Cameras, build_frame};
-use dzhanibekov::render::png::{encode, is_whole};
+use dzhanibekov::headless::{
+    Apng, FrameRate, Gif, HeadlessError, Movie, MovieError, PictureSize, Recording, ShotOptions, Studio, Y4m, record,
+};
+use dzhanibekov::objects::Cameras;
+use dzhanibekov::render::png::{encode_marked, is_whole};
 use dzhanibekov::render::{Gpu, Pixels};
 use dzhanibekov::scene::Scene;
 use dzhanibekov::sim::Simulation;
@@ -105,16 +107,19 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
 
     let is_finished = match (&format, output) {
         (Format::Numbered(pattern), _) => {
+            let PictureSize { pixels: size, .. } = recording.shot.size;
+            let mark = recording.shot.size.pixels_per_metre();
             let notes_of = |index| notes(picture, &scene, &words, recording.time(index));
             let skip = |index| {
                 let is_kept = arguments.keep
                     && std::fs::read(pattern.path(index))
-                        .is_ok_and(|bytes| is_whole(&bytes, picture.size, &notes_of(index)));
+                        .is_ok_and(|bytes| is_whole(&bytes, size, &notes_of(index), mark));
                 bar.inc(u64::from(is_kept));
                 is_kept
             };
             record(&gpu, &scene, &recording, stop, skip, |index, pixels| {
-                let bytes = encode(&pixels, picture.transparent, &notes_of(index)).map_err(HeadlessError::from)?;
+                let bytes =
+                    encode_marked(&pixels, picture.transparent, &notes_of(index), mark).map_err(HeadlessError::from)?;
                 files::write(&pattern.path(index), &bytes)?;
                 bar.inc(1);
                 Ok::<(), Failure>(())
@@ -171,7 +176,7 @@ fn movie(
     recording: &Recording,
 ) -> Result<Result<Box<dyn Movie>, MovieError>, Failure> {
     let Recording { shot, rate, frames, .. } = recording;
-    let (size, rate) = (shot.size, *rate);
+    let (size, rate) = (shot.size.pixels, *rate);
     let writer = || output.handle().map(BufWriter::new);
     Ok(match format {
         Format::Gif => Gif::new(writer()?, size, rate, &samples(gpu, scene, recording)?).map(boxed),
@@ -188,9 +193,10 @@ fn boxed<M: Movie + 'static>(movie: M) -> Box<dyn Movie> {
 
 /// Small pictures from all over the recording, for a palette.
 fn samples(gpu: &Gpu, scene: &Scene, recording: &Recording) -> Result<Vec<Pixels>, Failure> {
-    let [width, height] = recording.shot.size;
+    let [width, height] = recording.shot.size.pixels;
     let size =
         if width > SAMPLE_WIDTH { [SAMPLE_WIDTH, (height * SAMPLE_WIDTH).div_ceil(width)] } else { [width, height] };
+    let small = ShotOptions { size: PictureSize::in_pixels(size), ..recording.shot.clone() };
     let mut studio = Studio::new(gpu, size)?;
     let cameras = Cameras::new(&scene.view);
     let mut simulation = Simulation::new(scene);
@@ -199,8 +205,7 @@ fn samples(gpu: &Gpu, scene: &Scene, recording: &Recording) -> Result<Vec<Pixels
     (0..wanted)
         .map(|sample| {
             simulation.go_to(recording.time(start + sample * (end - start) / wanted));
-            let frame = build_frame(scene, &simulation, &cameras, studio.aspect());
-            Ok(studio.draw(&frame)?)
+            Ok(studio.draw(&small.frame(scene, &simulation, &cameras))?)
         })
         .collect()
 }
@@ -228,14 +233,14 @@ fn format_of(arguments: &RecordArguments) -> Result<Format, Failure> {
     if arguments.keep && !matches!(format, Format::Numbered(_)) {
         return Err(Failure::request(format!("--keep goes with numbered frames, and {name} is one file")));
     }
-    let [width, height] = arguments.picture.size;
+    let [width, height] = arguments.picture.size.get().pixels;
     if matches!(format, Format::Mp4) && (width % 2 == 1 || height % 2 == 1) {
         return Err(Failure::request(format!(
-            "--size {width}x{height} does not go with {name}: both sides must be even"
+            "{width}x{height} pixels do not go with {name}: both sides must be even"
         )));
     }
     let checked = match format {
-        Format::Gif => Gif::<Sink>::check(arguments.picture.size, arguments.fps),
+        Format::Gif => Gif::<Sink>::check([width, height], arguments.fps),
         Format::Apng => Apng::<Sink>::check(arguments.fps, 1),
         _ => Ok(()),
     };
