@@ -6,6 +6,7 @@ mod gif;
 mod movie;
 mod paper;
 mod record;
+mod rgba;
 mod shot;
 mod y4m;
 
@@ -14,5 +15,6 @@ pub use gif::Gif;
 pub use movie::{Movie, MovieError};
 pub use paper::{Length, POINT, PictureSize, THINNEST_LINE};
 pub use record::{FrameRate, Recording, record};
+pub use rgba::Rgba;
 pub use shot::{HeadlessError, ShotOptions, Studio, shot};
 pub use y4m::Y4m;
