@@ -9,6 +9,8 @@ use dzhanibekov::scene::{DEFAULT_PRESET, Edit, Edits, Scene, SceneError, SceneFi
 
 use super::failure::{Failure, say};
 use super::flags::{SceneFlags, ViewFlags as ViewArguments};
+#[cfg(feature = "headless")]
+use super::size::SizeArguments;
 
 /// The scene and what is said over it.
 #[derive(Args, Debug)]
@@ -24,6 +26,7 @@ pub(super) struct SceneArguments {
 }
 
 /// Everything that is said of a picture in a file, but its name.
+#[cfg(feature = "headless")]
 #[derive(Args, Debug)]
 pub(super) struct PictureArguments {
     #[command(flatten)]
@@ -33,9 +36,8 @@ pub(super) struct PictureArguments {
     /// Simulated time shown (s), 0 where left out; of a recording, its first frame's
     #[arg(long, value_name = "T", allow_hyphen_values = true, help_heading = "Picture")]
     time: Option<f64>,
-    /// Size in pixels
-    #[arg(long, value_name = "WxH", default_value = "1280x720", allow_hyphen_values = true, value_parser = size, help_heading = "Picture")]
-    pub(super) size: [u32; 2],
+    #[command(flatten)]
+    pub(super) size: SizeArguments,
     /// No background: transparent where nothing is drawn
     #[arg(long, help_heading = "Picture")]
     pub(super) transparent: bool,
@@ -70,7 +72,7 @@ pub(super) struct ReportArguments {
     pub(super) quiet: bool,
 }
 
-#[cfg(feature = "picture")]
+#[cfg(feature = "headless")]
 impl PictureArguments {
     /// The time (s) shown: as said here, else as a link says.
     pub(super) fn time(&self) -> f64 {

@@ -349,9 +349,22 @@ fn camera_of(context: &Context<'_>, cameras: &Cameras, space: Space) -> Camera {
 /// The picture of a scene as its simulation is now, in a picture of this aspect (width over height).
 #[must_use]
 pub fn build_frame(scene: &Scene, simulation: &Simulation, cameras: &Cameras, aspect: f32) -> Frame {
+    build_frame_scaled(scene, simulation, cameras, aspect, 1.0)
+}
+
+/// As [`build_frame`], with type and lines larger by a factor.
+#[must_use]
+pub fn build_frame_scaled(
+    scene: &Scene,
+    simulation: &Simulation,
+    cameras: &Cameras,
+    aspect: f32,
+    type_scale: f32,
+) -> Frame {
     let settings = &scene.view;
     let palette = Palette::new(settings.theme);
-    let context = Context::new(scene, simulation, &palette);
+    let mut context = Context::new(scene, simulation, &palette);
+    context.type_scale = type_scale;
     let panes = areas(settings.layout, aspect)
         .into_iter()
         .map(|(space, area)| {
@@ -366,7 +379,12 @@ pub fn build_frame(scene: &Scene, simulation: &Simulation, cameras: &Cameras, as
             pane
         })
         .collect();
-    Frame { background: palette.background, transparent: false, font_scale: settings.font_scale as f32, panes }
+    Frame {
+        background: palette.background,
+        transparent: false,
+        font_scale: settings.font_scale as f32 * type_scale,
+        panes,
+    }
 }
 
 #[cfg(test)]
