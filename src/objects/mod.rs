@@ -30,10 +30,10 @@ use glam::Vec2;
 
 use crate::camera::Camera;
 use crate::frame::{Color, Frame, Pane};
-use crate::scene::{self, Scene, Theme};
+use crate::scene::{self, ALL, Scene, Theme};
 use crate::sim::Simulation;
 
-pub use check::check;
+pub use check::{check, check_at};
 pub use context::Context;
 pub use ghosts::method_color;
 pub use layout::{Cameras, Space, areas};
@@ -306,11 +306,16 @@ pub fn object_named(name: &str) -> Option<&'static Object> {
     OBJECTS.iter().find(|object| object.name == name)
 }
 
-/// Whether a view's settings show an object. What is hidden by name stays hidden, whatever else is said.
+/// Whether a view's settings show an object. What is hidden by name stays hidden, whatever else is said; its own name goes before
+/// that of all.
 #[must_use]
 pub fn is_shown(object: &Object, view: &scene::View) -> bool {
-    let named = |names: &[String]| names.iter().any(|name| name == object.name);
-    (object.shown || named(&view.show)) && !named(&view.hide)
+    let holds = |names: &[String], name: &str| names.iter().any(|other| other == name);
+    if holds(&view.hide, object.name) {
+        return false;
+    }
+    let is_usual = (object.shown || holds(&view.show, ALL)) && !holds(&view.hide, ALL);
+    is_usual || holds(&view.show, object.name)
 }
 
 /// Every object and whether a view's settings show it, what is usually shown first: what a list of them to choose from says.
@@ -391,6 +396,14 @@ mod tests {
         let mut file = SceneFile::default();
         file.view.hide = vec!["tip".to_owned()];
         file.view.show = vec!["annulus".to_owned()];
+        let shown = |file: &SceneFile| -> Result<Vec<&str>, SceneError> {
+            let items = items(&Scene::check(file)?.view);
+            Ok(items.into_iter().filter_map(|(object, is_shown)| is_shown.then_some(object.name)).collect())
+        };
+        let alone = SceneFile::parse("view = { hide = ['all', 'tip'], show = ['annulus', 'tip'] }")?;
+        assert_eq!(shown(&alone)?, ["annulus"]);
+        let all = SceneFile::parse("view = { show = ['all'], hide = ['tip'] }")?;
+        assert_eq!(shown(&all)?.len(), OBJECTS.len() - 1);
         let items = items(&Scene::check(&file)?.view);
         assert_eq!(items.len(), OBJECTS.len());
         for (object, is_shown) in items {
