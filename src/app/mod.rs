@@ -74,6 +74,9 @@ pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> 
         recoveries: 0,
         trial: Trial::from_environment(),
     };
+    if let (None, Some(step)) = (app.session.scene().at, app.session.scene().file.first_step()) {
+        app.session.apply(Command::GoToStep(step), Instant::now());
+    }
     if let Some(time) = app.options.time {
         app.session.apply(Command::GoTo(time), Instant::now());
     }

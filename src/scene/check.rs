@@ -150,7 +150,7 @@ impl Scene {
     pub fn check_at(file: &SceneFile, at: Option<usize>) -> Result<Self, SceneError> {
         let count = file.steps.len();
         if let Some(step) = at.filter(|step| *step >= count) {
-            return Err(SceneError::NoSuchStep { given: step.saturating_add(1), count });
+            return Err(SceneError::NoSuchStep { given: step.wrapping_add(1), count });
         }
         file.steps.iter().try_for_each(check_step)?;
         check_view(&file.view)?;

@@ -48,6 +48,12 @@ impl SceneFile {
         self.steps.get(..count).unwrap_or_default()
     }
 
+    /// The step at which its telling begins; none where it is shown as a whole.
+    #[must_use]
+    pub fn first_step(&self) -> Option<usize> {
+        (!self.steps.is_empty()).then_some(0)
+    }
+
     /// How the scene is looked at once this step (counted from 0) is reached; as a whole where it is none.
     #[must_use]
     pub fn view_at(&self, step: Option<usize>) -> ViewFile {

@@ -13,6 +13,7 @@ mod remember;
 mod slides;
 mod spin;
 mod start;
+mod steps;
 #[cfg(test)]
 mod tests;
 mod time;
@@ -131,6 +132,7 @@ impl Session {
             jumps: 0,
         };
         session.forget_the_past();
+        session.begin_pace();
         session.say(FIRST_WORDS);
         session
     }
@@ -293,11 +295,11 @@ impl Session {
             Command::Undo => self.take_back(),
             Command::Redo => self.make_again(),
             Command::Reopen => self.reopen(),
-            Command::NextScene => self.open_slide(self.opened.place.map_or(0, |place| place + 1)),
-            // From a scene that is none of them, back is the last.
-            Command::PreviousScene => {
-                self.open_slide(self.opened.place.unwrap_or(self.slides.len()).saturating_sub(1));
-            }
+            Command::NextStep => self.next_step(),
+            Command::PreviousStep => self.previous_step(),
+            Command::GoToStep(step) => self.go_to_step(step),
+            Command::NextScene => self.next_scene(),
+            Command::PreviousScene => self.previous_scene(),
             Command::OpenScene(place) => self.open_slide(place),
             Command::OpenPlace(place) => return vec![Effect::Open(place)],
             Command::OpenText { name, text } => self.open_text(name, &text),
@@ -308,7 +310,7 @@ impl Session {
             // A notch of the wheel is ten per cent.
             Command::Zoom { at, by } => self.move_camera(at, |camera, _| camera.zoom(by.ln() * 10.0)),
             Command::Home => self.cameras = Cameras::new(&self.scene.view),
-            Command::SetLayout(layout) => self.edit_view(|view| view.layout = Some(layout)),
+            Command::SetLayout(layout) => self.set_layout(layout),
             Command::NextLayout => self.next_layout(),
             Command::Show { name, is_shown } => self.show_object(name, is_shown),
             Command::ToggleTheme => {
@@ -324,6 +326,7 @@ impl Session {
             }
             Command::TogglePanel => self.shown.panel = !self.shown.panel,
             Command::ToggleSlide => self.shown.slide = !self.shown.slide,
+            Command::ToggleAnswer => self.toggle_answer(),
             Command::ToggleCharts => self.shown.charts = !self.shown.charts,
             Command::ToggleHelp => self.shown.help = !self.shown.help,
             Command::ToggleFullscreen => return vec![Effect::ToggleFullscreen],
@@ -341,10 +344,16 @@ impl Session {
         vec![]
     }
 
+    /// Takes a text as the scene, at the step at which it stands.
+    fn set(&mut self, file: &SceneFile) -> Result<(), SceneError> {
+        let last = file.steps.len().checked_sub(1);
+        self.set_at(file, self.scene.at.and_then(|step| Some(step.min(last?))))
+    }
+
     /// Takes a text as the scene and derives everything from it; what is no scene is refused in a sentence, and nothing changes.
     /// A motion that stays the same goes on from where it is.
-    fn set(&mut self, file: &SceneFile) -> Result<(), SceneError> {
-        let scene = objects::check(file)?;
+    fn set_at(&mut self, file: &SceneFile, at: Option<usize>) -> Result<(), SceneError> {
+        let scene = objects::check_at(file, at)?;
         let before = std::mem::replace(&mut self.scene, scene);
         self.scenes += 1;
         let (now, then) = (&self.scene.file, &before.file);
@@ -357,7 +366,8 @@ impl Session {
     }
 
     fn moment(&self) -> Moment {
-        Moment { file: self.scene.file.clone(), opened: self.opened.clone(), time: self.sim.time() }
+        let (file, opened) = (self.scene.file.clone(), self.opened.clone());
+        Moment { file, opened, at: self.scene.at, time: self.sim.time() }
     }
 
     fn seen(&self) -> Seen {

@@ -64,6 +64,12 @@ pub enum Command {
     Redo,
     /// The scene as it was opened.
     Reopen,
+    /// The next step of the scene, or the next scene after the last one.
+    NextStep,
+    /// The step before, or the scene before.
+    PreviousStep,
+    /// This step of the scene, counted from 0.
+    GoToStep(usize),
     /// The next scene.
     NextScene,
     /// The scene before.
@@ -123,6 +129,8 @@ pub enum Command {
     TogglePanel,
     /// Shows or hides the scene's title, text and question.
     ToggleSlide,
+    /// Shows or hides the answer to the scene's question.
+    ToggleAnswer,
     /// Shows or hides the charts.
     ToggleCharts,
     /// Names beside things, or not.

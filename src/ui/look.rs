@@ -126,6 +126,8 @@ pub struct Shown {
     pub panel: bool,
     /// The scene's title, text and question.
     pub slide: bool,
+    /// The answer to the scene's question.
+    pub answer: bool,
     /// The charts.
     pub charts: bool,
     /// The sheet of keys.
@@ -138,7 +140,7 @@ impl Shown {
     /// As it was the last time, with nothing asked.
     #[must_use]
     pub fn remembered(panel: bool, slide: bool, charts: bool) -> Self {
-        Self { panel, slide, charts, help: false, saving: None }
+        Self { panel, slide, charts, answer: false, help: false, saving: None }
     }
 }
 
