@@ -13,6 +13,7 @@ mod floor;
 #[cfg(test)]
 mod frames_test;
 mod ghosts;
+mod glide;
 mod labels;
 mod layout;
 mod level_sets;
@@ -27,6 +28,7 @@ mod vectors;
 
 use Space::{Momentum, World};
 use glam::Vec2;
+use glide::Held;
 
 use crate::camera::Camera;
 use crate::frame::{Color, Frame, Pane};
@@ -36,6 +38,7 @@ use crate::sim::Simulation;
 pub use check::{check, check_at};
 pub use context::Context;
 pub use ghosts::method_color;
+pub use glide::Glide;
 pub use layout::{Cameras, Space, areas};
 pub use theme::Palette;
 
@@ -354,15 +357,37 @@ fn camera_of(context: &Context<'_>, cameras: &Cameras, space: Space) -> Camera {
 /// The picture of a scene as its simulation is now, in a picture of this aspect (width over height).
 #[must_use]
 pub fn build_frame(scene: &Scene, simulation: &Simulation, cameras: &Cameras, aspect: f32) -> Frame {
+    build_frame_on_the_way(scene, simulation, cameras, aspect, None)
+}
+
+/// The same, on the way from another view.
+#[must_use]
+pub fn build_frame_on_the_way(
+    scene: &Scene,
+    simulation: &Simulation,
+    cameras: &Cameras,
+    aspect: f32,
+    glide: Option<Glide<'_>>,
+) -> Frame {
     let settings = &scene.view;
     let palette = Palette::new(settings.theme);
     let context = Context::new(scene, simulation, &palette);
-    let panes = areas(settings.layout, aspect)
+    let glide = glide.unwrap_or(Glide { from: settings, part: 1.0 });
+    let panes = glide
+        .areas(settings.layout, aspect)
         .into_iter()
         .map(|(space, area)| {
             let mut pane = Pane::new(area, camera_of(&context, cameras, space), space.lift());
-            for object in OBJECTS.iter().filter(|object| object.space == space && is_shown(object, settings)) {
-                (object.draw)(&context, &mut pane);
+            for object in OBJECTS.iter().filter(|object| object.space == space) {
+                let weight = glide.weight(object, settings);
+                // At the very beginning all that comes is drawn unseen: its labels have their places.
+                if weight > 0.0 || is_shown(object, settings) {
+                    let held = Held::by(&pane);
+                    (object.draw)(&context, &mut pane);
+                    if weight < 1.0 {
+                        held.fade_since(&mut pane, weight);
+                    }
+                }
             }
             if !settings.labels {
                 pane.labels.clear();

@@ -301,6 +301,7 @@ impl Session {
         }
         self.say_nothing();
         self.cameras = Cameras::new(&self.scene.view);
+        self.origin = None;
         self.opened = opened;
         self.saved = None;
         self.shown.answer = false;

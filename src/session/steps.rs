@@ -1,6 +1,6 @@
 //! Going through a scene that is told in steps, and changing one of them.
 
-use super::Session;
+use super::{Origin, Session};
 use crate::objects::Cameras;
 use crate::scene::{Scene, StepFile};
 
@@ -41,10 +41,15 @@ impl Session {
     /// Shows a step of the open scene, counted from 0. The motion goes on, unless the step sets its time.
     pub(super) fn go_to_step(&mut self, step: usize) {
         let before = self.scene.clone();
+        let seen = match &self.origin {
+            Some(origin) => Cameras::between(&origin.cameras, &self.cameras, self.glided()),
+            None => self.cameras,
+        };
         let file = before.file.clone();
         if let Err(error) = self.set_at(&file, Some(step)) {
             return self.say(error.to_string());
         }
+        self.origin = self.glides.then(|| Origin { view: before.view.clone(), cameras: seen, begun: self.now });
         self.follow_cameras(&before);
         self.follow_pace(&before);
     }

@@ -108,7 +108,36 @@ fn the_next_flip_is_gone_to_and_the_one_after_it() -> Result<(), SceneError> {
         let wanted = first + f64::from(flip) * period;
         assert!((driven.session.time() - wanted).abs() < 1e-9, "flip {flip}: {}", driven.session.time());
     }
+    // Again and again through the one that is under way, also backwards.
+    driven.apply(Command::Restart);
+    driven.apply(Command::LoopFlip);
+    for direction in [1.0, -1.0] {
+        let (mut earliest, mut latest, mut turns) = (f64::INFINITY, f64::NEG_INFINITY, 0);
+        let mut before = driven.session.time();
+        for _ in 0..10 {
+            driven.run(0.5);
+            let time = driven.session.time();
+            (earliest, latest) = (earliest.min(time), latest.max(time));
+            turns += u32::from((time - before) * direction < 0.0);
+            before = time;
+        }
+        assert!(earliest > first - 0.5 * period && latest < first + 0.5 * period, "{earliest} {latest}");
+        assert!(driven.session.look(None, false).is_looping && turns >= 2, "{turns}");
+        driven.apply(Command::Reverse);
+    }
+    driven.apply(Command::GoTo(first + 0.9 * period));
+    assert!(!driven.session.look(None, false).is_looping);
+    // Slow motion: the time that it takes through a flip is the integral of 1/factor.
+    driven.apply(Command::ToggleSlow);
+    driven.apply(Command::GoTo(first));
+    let before = driven.session.time();
+    driven.run(0.05);
+    // Level at the flip, where the factor is a fifth: 0.05 s come to 0.01 s and less than a step on each side.
+    assert!((driven.session.time() - before - 0.01).abs() < 0.0011, "{}", driven.session.time() - before);
+    assert!(driven.session.look(None, false).slowed < 0.25);
     driven.apply(Command::SetTilt(0.0));
+    driven.apply(Command::LoopFlip);
+    assert!(driven.message().contains("No flip") && driven.session.look(None, false).slowed == 1.0);
     driven.apply(Command::NextFlip);
     assert!(driven.message().contains("No flip"), "{}", driven.message());
     Ok(())
@@ -628,6 +657,32 @@ fn what_is_changed_at_a_step_is_that_steps() -> Result<(), SceneError> {
     driven.apply(Command::GoToStep(2));
     driven.apply(Command::Undo);
     assert_eq!((driven.session.scene.at, driven.file().steps[1].hide.len()), (Some(1), 0));
+    Ok(())
+}
+
+#[test]
+fn the_picture_glides_to_a_step_also_while_time_stands() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::OpenText { name: "told".to_owned(), text: TOLD.to_owned() });
+    driven.apply(Command::PlayPause);
+    assert!(!driven.session.is_moving());
+    let eye = |driven: &Driven| driven.session.frame(2.0).panes.first().map(|pane| pane.camera.azimuth.to_degrees());
+    let before = eye(&driven).unwrap_or_default();
+    driven.apply(Command::NextStep);
+    assert!(driven.session.is_moving() && eye(&driven) == Some(before));
+    let revision = driven.session.revision();
+    driven.run(0.25);
+    let half = eye(&driven).unwrap_or_default();
+    // From 300° the shorter way to 10°.
+    assert!((half - 335.0).abs() < 2.0 && driven.session.revision() > revision, "{before} {half}");
+    driven.run(0.3);
+    assert!(!driven.session.is_moving() && (eye(&driven).unwrap_or_default() - 10.0).abs() < 1e-3);
+    let revision = driven.session.revision();
+    driven.run(0.1);
+    assert_eq!(driven.session.revision(), revision);
+    driven.session.set_gliding(false);
+    driven.apply(Command::PreviousStep);
+    assert!((eye(&driven).unwrap_or_default() - before).abs() < 1e-3);
     Ok(())
 }
 

@@ -27,6 +27,10 @@ pub enum Command {
     GoTo(f64),
     /// To the next flip.
     NextFlip,
+    /// Runs through one flip again and again, or no longer.
+    LoopFlip,
+    /// Slows the clock round each flip, or no longer.
+    ToggleSlow,
     /// Takes this body instead; the start stays as it is said.
     SetBody(Box<BodyFile>),
     /// Spin about this principal axis, tilt and rate as they are.

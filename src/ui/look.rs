@@ -27,6 +27,10 @@ pub struct Look<'a> {
     pub flips: &'a FlipWatch,
     /// The flips that come, and how far the scrub bar reaches.
     pub timeline: &'a Timeline,
+    /// How fast the clock runs beside its own speed: below 1 in slow motion.
+    pub slowed: f64,
+    /// Whether one flip is run through again and again.
+    pub is_looping: bool,
     /// Where the tip of M is in the picture (pixels), where it can be taken hold of.
     pub tip: Option<Pixels>,
     /// What a click on the sphere would start.
