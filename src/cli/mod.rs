@@ -54,6 +54,9 @@ struct Arguments {
     scene: SceneArguments,
     #[command(flatten)]
     view: ViewFlags,
+    /// Step of the scene to begin at, counted from 1
+    #[arg(long, value_name = "N", allow_hyphen_values = true, help_heading = "Picture")]
+    scene_step: Option<usize>,
     /// Size of the window in pixels
     #[arg(long, value_name = "WxH", help_heading = "Picture")]
     size: Option<String>,
@@ -200,7 +203,7 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
     #[cfg(feature = "window")]
     {
         quiet_driver::keep_quiet();
-        let (scene, slides) = arguments.scene.slides(&arguments.view, arguments.quiet)?;
+        let (scene, slides) = arguments.scene.slides(&arguments.view, arguments.scene_step, arguments.quiet)?;
         let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
         let adapter = arguments.adapter.clone();
         let place = arguments.scene.place();
@@ -210,7 +213,7 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
     #[cfg(not(feature = "window"))]
     {
         arguments.scene.scene(Some(&arguments.view), arguments.quiet)?;
-        let _ = (&arguments.size, &arguments.adapter);
+        let _ = (&arguments.size, &arguments.adapter, arguments.scene_step);
         Err(Failure::not_built("the window", "window"))
     }
 }

@@ -92,9 +92,9 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
     let format = format_of(arguments)?;
     let frames = frames_of(arguments)?;
     check_place(&arguments.output)?;
-    let end = picture.time() + arguments.fps.time(frames.end);
+    let end = picture.time(&scene) + arguments.fps.time(frames.end);
     check_steps(&scene, &format!("the last frame, at {} s,", short(end)), end, followed(&scene))?;
-    let recording = Recording { shot: options(picture), start: picture.time(), rate: arguments.fps, frames };
+    let recording = Recording { shot: options(picture), start: picture.time(&scene), rate: arguments.fps, frames };
     // A pipe is opened once someone reads it; until then, and only until then, a signal ends the program at once.
     signal::end_at_once()?;
     let output = match &format {
