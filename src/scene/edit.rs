@@ -314,7 +314,10 @@ mod tests {
     fn what_cannot_be_said_is_refused() {
         for (words, sentence) in [
             (&["--set", "spin.rate"][..], "`spin.rate` has no value: KEY=VALUE is wanted, as in spin.rate=6"),
-            (&["--set", "=3"], "unknown key ``; known here are title, text, question, order, body, spin, motion, view"),
+            (
+                &["--set", "=3"],
+                "unknown key ``; known here are title, text, question, order, body, spin, motion, cloud, view",
+            ),
             (&["--set", "spin.rat=3"], "unknown key `spin.rat`; the nearest known key is `spin.rate`"),
             (&["--set", "spin.rat="], "unknown key `spin.rat`; the nearest known key is `spin.rate`"),
             (&["--set", "spin=3"], "spin is the number 3: it must be a table"),

@@ -212,7 +212,7 @@ mod tests {
             ("#flip?spin.rate", "the link has `spin.rate` without a value"),
             (
                 "#flip?scene=abc",
-                "unknown key `scene`; known here are title, text, question, order, body, spin, motion, view",
+                "unknown key `scene`; known here are title, text, question, order, body, spin, motion, cloud, view",
             ),
             ("#flip?time=", "the link has the time ``: it must be a finite number (s)"),
             ("#flip?time=soon", "the link has the time `soon`: it must be a finite number (s)"),
