@@ -22,7 +22,7 @@
   });
   element("canvas").addEventListener("webglcontextlost", (event) => {
     event.preventDefault();
-    window.dispatchEvent(new Event("dzhanibekov-leaving"));
+    window.dispatchEvent(new Event("dzhanibekov-over"));
     fail("The graphics of this page were taken away (by the driver, or by too many pages at once): load it again, and it goes on where it was.");
   });
 

@@ -1,6 +1,6 @@
 //! A scene as it is written: what each key of [`super::KEYS`] fills.
 
-use super::{Layout, PartKind, Theme, TimeUnit};
+use super::{Layout, PartKind, StepFile, Theme, TimeUnit};
 
 /// A scene file. Every part may be left out; [`super::Scene::check`] says what then holds.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -11,6 +11,8 @@ pub struct SceneFile {
     pub text: String,
     /// A question to the class.
     pub question: String,
+    /// What the question is answered by, once it is asked for.
+    pub answer: String,
     /// Place among the presets, ascending.
     pub order: Option<i64>,
     /// The body.
@@ -19,8 +21,12 @@ pub struct SceneFile {
     pub spin: SpinFile,
     /// How it is followed.
     pub motion: MotionFile,
+    /// Starts close together.
+    pub cloud: CloudFile,
     /// How it is looked at.
     pub view: ViewFile,
+    /// The steps in which it is told.
+    pub steps: Vec<StepFile>,
 }
 
 /// The body: just one of `box`, `moments`, `inertia`, `solids`.
@@ -79,6 +85,19 @@ pub struct MotionFile {
     pub step: Option<f64>,
     /// Names of the methods run beside it from the same start.
     pub compare: Vec<String>,
+    /// Energy lost inside the body at constant L, a number without a unit; none where left out.
+    pub energy_loss: Option<f64>,
+}
+
+/// Starts close together, all with the momentum of the scene's own: what the cloud is drawn of.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CloudFile {
+    /// How many in all.
+    pub count: Option<i64>,
+    /// How far (degrees) from their axis they are at most.
+    pub spread_deg: Option<f64>,
+    /// The principal axes round which they are; all three where left out.
+    pub axes: Vec<u8>,
 }
 
 /// How it is looked at.
@@ -98,6 +117,8 @@ pub struct ViewFile {
     pub labels: Option<bool>,
     /// Factor on text and lines.
     pub font_scale: Option<f64>,
+    /// Whether the clock slows round each flip.
+    pub slow_at_flip: Option<bool>,
     /// Direction of both cameras round the vertical (degrees).
     pub azimuth_deg: Option<f64>,
     /// Height of both cameras above the horizon (degrees).

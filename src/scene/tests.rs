@@ -1,12 +1,12 @@
 //! Scenes at random, and every built-in scene, through all that reads and writes them.
 
 use super::edit::Edits;
-use super::keys::KEYS;
+use super::keys::{KEYS, Key};
 use super::{
-    BodyFile, CameraFile, Layout, MotionFile, PartKind, Scene, SceneError, SceneFile, SolidFile, SpinFile, Theme,
-    TimeUnit, ViewFile, flags, link, presets,
+    BodyFile, CameraFile, CloudFile, Layout, MotionFile, PartKind, Scene, SceneError, SceneFile, SolidFile, SpinFile,
+    StepFile, Theme, TimeUnit, ViewFile, flags, link, presets,
 };
-use crate::physics::METHODS;
+use crate::physics::{METHODS, Method, methods::LOSS_METHOD};
 
 /// How many random scenes are tried.
 const SCENES: u64 = 10_000;
@@ -158,6 +158,7 @@ impl Random {
             hide: self.names(&objects),
             labels: self.maybe(|it| it.is(2)),
             font_scale: self.maybe(|it| 0.25 + it.share()),
+            slow_at_flip: self.maybe(|it| it.is(2)),
             azimuth_deg: self.maybe(Self::number),
             elevation_deg: self.maybe(Self::number),
             distance: self.maybe(|it| it.positive(-3, 3)),
@@ -166,28 +167,64 @@ impl Random {
         }
     }
 
+    fn step(&mut self) -> StepFile {
+        let objects = ["all", "body", "plane", "tip"];
+        StepFile {
+            text: self.text(),
+            show: self.names(&objects),
+            hide: self.names(&objects),
+            layout: self.maybe(|it| it.pick(&[Layout::Both, Layout::World, Layout::Body])),
+            world_camera: self.camera(),
+            body_camera: self.camera(),
+            time: self.maybe(Self::number),
+            speed: self.maybe(|it| it.pick(&[0.25, 0.1, 1.0, -2.0])),
+            pause: self.maybe(|it| it.is(2)),
+            slow_at_flip: self.maybe(|it| it.is(2)),
+        }
+    }
+
     fn scene(&mut self) -> SceneFile {
-        let methods: Vec<&str> = METHODS.iter().map(|method| method.name).collect();
         SceneFile {
             title: self.text(),
             text: self.text(),
             question: self.text(),
+            answer: self.text(),
             order: self.maybe(|it| it.next().cast_signed()),
             body: self.body(),
             spin: self.spin(),
-            motion: MotionFile {
-                method: self.maybe(|it| it.pick(&methods).to_owned()),
-                step: self.maybe(|it| it.positive(-9, 9)),
-                compare: self.names(&methods),
-            },
+            motion: self.motion(),
+            cloud: self.cloud(),
             view: self.view(),
+            steps: if self.is(2) { vec![] } else { (0..self.below(4)).map(|_| self.step()).collect() },
         }
     }
 
-    /// A scene with some of its parts those of another: body and spin whole, so that it stays one that can be run.
+    /// Where energy is lost only one method knows it.
+    fn motion(&mut self) -> MotionFile {
+        let energy_loss = self.maybe(|it| if it.is(3) { 0.0 } else { it.positive(-9, 1) });
+        let known = |method: &&Method| energy_loss.is_none_or(|loss| loss == 0.0) || method.name == LOSS_METHOD;
+        let methods: Vec<&str> = METHODS.iter().filter(|method| known(method)).map(|method| method.name).collect();
+        MotionFile {
+            method: self.maybe(|it| it.pick(&methods).to_owned()),
+            step: self.maybe(|it| it.positive(-9, 9)),
+            compare: self.names(&methods),
+            energy_loss,
+        }
+    }
+
+    fn cloud(&mut self) -> CloudFile {
+        CloudFile {
+            count: self.maybe(|it| 1 + it.below(100_000).cast_signed()),
+            spread_deg: self.maybe(|it| 90.0 * it.share()),
+            axes: (0..self.below(4)).map(|_| self.pick(&[1, 2, 3])).collect(),
+        }
+    }
+
+    /// A scene with some of its parts those of another: body, spin and motion whole, so that it stays one that can be run.
     fn mixed(&mut self, of: &SceneFile, with: &SceneFile) -> SceneFile {
         let mut mixed = of.clone();
-        for key in KEYS.iter().filter(|key| !key.name.starts_with("body.") && !key.name.starts_with("spin.")) {
+        let is_whole = |key: &&Key| ["body.", "spin.", "motion."].iter().any(|table| key.name.starts_with(table));
+        for key in KEYS.iter().filter(|key| !is_whole(key)) {
             if self.is(2) {
                 key.copy(with, &mut mixed);
             }
@@ -197,6 +234,9 @@ impl Random {
         }
         if self.is(2) {
             mixed.spin = with.spin.clone();
+        }
+        if self.is(2) {
+            mixed.motion = with.motion.clone();
         }
         mixed
     }
@@ -239,6 +279,9 @@ fn random_scenes_come_back_from_text_flags_and_links() -> Result<(), String> {
         let other = random.scene();
         let file = if random.is(2) { random.mixed(&base, &other) } else { other };
         Scene::check(&file).map_err(|error| format!("seed {seed}: {error}: {}", file.to_toml()))?;
+        for step in 0..file.steps.len() {
+            Scene::check_at(&file, Some(step)).map_err(|error| format!("seed {seed}: step {step}: {error}"))?;
+        }
         round_trips(&base, &file, &[random.pick(&STARTS)]).map_err(|error| format!("seed {seed}: {error}"))?;
     }
     Ok(())

@@ -7,8 +7,8 @@ use super::slides::{Opened, Slide};
 use super::undo::{Kind, Moment};
 use super::{Effect, Session, command_line, keep_choices, start};
 use crate::objects::{self, Cameras};
-use crate::physics::{Motion, so3};
-use crate::scene::{SceneFile, SpinFile, link};
+use crate::physics::{Motion, methods::LOSS_METHOD, so3};
+use crate::scene::{SceneFile, SpinFile, ViewFile, link};
 use crate::sim::Simulation;
 use crate::ui::{Pixels, path_in};
 use web_time::Instant;
@@ -97,6 +97,18 @@ impl Session {
         }
     }
 
+    /// Loses energy, or none. Where some is lost the method that knows it follows, alone.
+    pub(super) fn set_energy_loss(&mut self, loss: f64) {
+        self.edit(|file| {
+            let motion = &mut file.motion;
+            motion.energy_loss = (loss != 0.0).then_some(loss);
+            if loss > 0.0 {
+                motion.method = motion.method.take().filter(|method| method == LOSS_METHOD);
+                motion.compare.clear();
+            }
+        });
+    }
+
     /// Runs a method beside the scene's own, or no longer.
     pub(super) fn compare(&mut self, method: &str, is_on: bool) {
         // What is the body's own method is no ghost beside it: of the names only those that run are kept.
@@ -145,8 +157,8 @@ impl Session {
     }
 
     fn return_to(&mut self, moment: Moment) {
-        let is_other = moment.opened != self.opened;
-        if let Err(error) = self.set(&moment.file) {
+        let is_other = moment.opened != self.opened || moment.at != self.scene.at;
+        if let Err(error) = self.set_at(&moment.file, moment.at) {
             return self.say(error.to_string());
         }
         self.opened = moment.opened;
@@ -217,7 +229,10 @@ impl Session {
                     place: self.opened.place,
                 };
                 let title = Slide { name: open.name.clone(), file: Ok(opened.file.clone()) }.title();
-                if self.open(Opened { title, ..opened }) {
+                // Who writes a step sees that step.
+                let at = self.scene.at.filter(|step| *step < opened.file.steps.len());
+                let at = at.or(opened.file.first_step());
+                if self.open_at(Opened { title, ..opened }, at) {
                     self.undo.note(Kind::Whole, before, now);
                     self.say(format!("{} was changed, and read again.", open.name));
                 }
@@ -275,23 +290,26 @@ impl Session {
         }
     }
 
-    /// Opens the scene of a link at its time, running or not as before.
+    /// Opens the scene of a link at its step and its time, running or not as before.
     pub(super) fn open_link(&mut self, words: &str) {
-        let read = match link::read(words).and_then(|read| objects::check(&read.file).map(|_| read)) {
-            Ok(read) => read,
+        let checked = link::read(words).and_then(|read| {
+            let at = read.step.or(read.file.first_step());
+            objects::check_at(&read.file, at).map(|_| (read, at))
+        });
+        let (read, at) = match checked {
+            Ok(checked) => checked,
             Err(error) => return self.say(error.to_string()),
         };
         let is_paused = self.sim.clock.paused;
-        let place = read.name.as_ref().and_then(|name| self.slides.iter().position(|slide| slide.name == *name));
-        match place {
-            Some(place) => {
-                self.open_slide(place);
-                let file = read.file;
-                self.edit(|own| *own = file);
-                self.cameras = Cameras::new(&self.scene.view);
-            }
-            None => self.open_unnamed(String::new(), read.file),
+        match read.name.as_ref().and_then(|name| self.slides.iter().position(|slide| slide.name == *name)) {
+            Some(place) => self.open_slide(place),
+            None => self.open_unnamed(String::new(), read.file.clone()),
         }
+        if let Err(error) = self.set_at(&read.file, at) {
+            return self.say(error.to_string());
+        }
+        self.cameras = Cameras::new(&self.scene.view);
+        self.begin_pace();
         if let Some(time) = read.time {
             self.go_to(time);
         }
@@ -302,7 +320,7 @@ impl Session {
     #[must_use]
     pub fn link(&self) -> String {
         let name = (self.opened.base.is_none() && !self.slide_is_file()).then_some(self.opened.name.as_str());
-        link::write(name, &self.file_as_seen(), Some(rounded_time(self.sim.time())))
+        link::write_at(name, &self.file_as_seen(), self.scene.at, Some(rounded_time(self.sim.time())))
     }
 
     pub(super) fn copy_link(&mut self) -> Vec<Effect> {
@@ -330,28 +348,43 @@ impl Session {
         self.open(self.opened.clone());
     }
 
-    /// Opens a scene, running at its own pace; false where it is none.
+    /// Opens a scene at the beginning of its telling, running at its own pace; false where it is none.
     fn open(&mut self, opened: Opened) -> bool {
+        let at = opened.file.first_step();
+        self.open_at(opened, at)
+    }
+
+    /// The same, at this step.
+    fn open_at(&mut self, opened: Opened, at: Option<usize>) -> bool {
         let mut file = opened.file.clone();
         keep_choices(&mut file.view, &self.scene.file.view);
-        if let Err(error) = self.set(&file) {
+        if let Err(error) = self.set_at(&file, at) {
             self.say(format!("{}: {error}", opened.name));
             return false;
         }
         self.say_nothing();
         self.cameras = Cameras::new(&self.scene.view);
+        self.origin = None;
         self.opened = opened;
         self.saved = None;
-        self.sim.clock.speed = 1.0;
-        self.sim.clock.paused = false;
+        self.shown.answer = false;
         self.restart_time();
+        self.begin_pace();
         true
     }
 
     /// The scene's text with the cameras as they are.
     fn file_as_seen(&self) -> SceneFile {
         let mut file = self.scene.file.clone();
-        self.cameras.write(&self.scene.view, &mut file.view);
+        match self.scene.at.and_then(|step| file.steps.get_mut(step)) {
+            None => self.cameras.write(&self.scene.view, &mut file.view),
+            Some(step) => {
+                let mut seen = ViewFile::default();
+                self.cameras.write(&self.scene.view, &mut seen);
+                step.world_camera = seen.world_camera.over(&step.world_camera);
+                step.body_camera = seen.body_camera.over(&step.body_camera);
+            }
+        }
         file
     }
 
@@ -394,7 +427,7 @@ impl Session {
             None => (&self.opened.name, self.opened.base.as_ref().unwrap_or(&self.opened.file)),
         };
         let size = self.picture_size.as_uvec2().to_array();
-        let line = command_line::shot(name, base, &self.file_as_seen(), self.sim.time(), size);
+        let line = command_line::shot(name, base, &self.file_as_seen(), self.scene.at, self.sim.time(), size);
         self.say(format!("Copied: {line}"));
         vec![Effect::CopyText(line)]
     }

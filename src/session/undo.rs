@@ -32,6 +32,7 @@ impl Kind {
             | Command::SetRate(_)
             | Command::SetEnergy(_)
             | Command::SetStep(_)
+            | Command::SetEnergyLoss(_)
             | Command::DragTip(_) => Some(Self::Part(std::mem::discriminant(command))),
             _ => Some(Self::Whole),
         }
@@ -45,6 +46,8 @@ pub(super) struct Moment {
     pub(super) file: SceneFile,
     /// What it came from.
     pub(super) opened: Opened,
+    /// The step of its telling.
+    pub(super) at: Option<usize>,
     /// Simulated time (s).
     pub(super) time: f64,
 }

@@ -1,9 +1,11 @@
 //! The running simulation: its clock, the body under its method, and the same start under others beside it.
 
+mod checkpoints;
 mod clock;
 mod flips;
 mod history;
 mod simulation;
+mod slowing;
 #[cfg(test)]
 mod tests;
 
@@ -11,3 +13,4 @@ pub use clock::{Clock, Tick};
 pub use flips::FlipWatch;
 pub use history::{Errors, History, Sample};
 pub use simulation::{Runner, Simulation};
+pub use slowing::Slowing;

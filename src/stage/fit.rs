@@ -5,6 +5,9 @@ use crate::render::point_size;
 /// Smallest size of a window (points): it still holds the panels.
 pub const SMALLEST: [f32; 2] = [640.0, 400.0];
 
+/// Smaller side of a page (points) that still holds what is used most.
+const SMALLEST_PAGE: f32 = 320.0;
+
 /// How much larger than usual the panels are in a window of this size (points): they grow with the window, as what is
 /// projected does, by the user's own factor too, and never past what leaves room for them.
 #[must_use]
@@ -28,4 +31,13 @@ pub(super) fn place(picture: egui::Rect, pixels_per_point: f32, window: (u32, u3
     let corner = (pixel(picture.min.x, window.0), pixel(picture.min.y, window.1));
     let far = (pixel(picture.max.x, window.0), pixel(picture.max.y, window.1));
     (corner, (far.0.saturating_sub(corner.0), far.1.saturating_sub(corner.1)))
+}
+
+/// The same on a page, which may be smaller than any window: a screen in the hand has points as large as its own.
+#[must_use]
+pub fn zoom_on_page(width: f32, height: f32, own: f32) -> f32 {
+    if width >= SMALLEST[0] && height >= SMALLEST[1] {
+        return zoom(width, height, own);
+    }
+    own.min(width.min(height) / SMALLEST_PAGE).max(0.4)
 }

@@ -10,7 +10,7 @@ mod surface;
 
 use web_time::{Duration, Instant};
 
-pub use fit::{SMALLEST, zoom};
+pub use fit::{SMALLEST, zoom, zoom_on_page};
 pub use offscreen::with_panels;
 pub use pacing::Pacer;
 pub use screen::Presented;

@@ -27,6 +27,10 @@ pub struct Look<'a> {
     pub flips: &'a FlipWatch,
     /// The flips that come, and how far the scrub bar reaches.
     pub timeline: &'a Timeline,
+    /// How fast the clock runs beside its own speed: below 1 in slow motion.
+    pub slowed: f64,
+    /// Whether one flip is run through again and again.
+    pub is_looping: bool,
     /// Where the tip of M is in the picture (pixels), where it can be taken hold of.
     pub tip: Option<Pixels>,
     /// What a click on the sphere would start.
@@ -62,6 +66,11 @@ impl Look<'_> {
     pub fn is_edited(&self) -> bool {
         let (now, then) = (&self.scene.file, self.opened);
         now.body != then.body || now.spin != then.spin || now.motion != then.motion
+    }
+
+    /// Whether energy is lost inside the body, of which the exact motion and what is predicted from it know nothing.
+    pub(super) fn loses_energy(&self) -> bool {
+        self.scene.energy_loss > 0.0
     }
 
     /// The sign of the scene's unit of time.
@@ -138,10 +147,14 @@ pub struct Shown {
     pub panel: bool,
     /// The scene's title, text and question.
     pub slide: bool,
+    /// The answer to the scene's question.
+    pub answer: bool,
     /// The charts.
     pub charts: bool,
     /// The sheet of keys.
     pub help: bool,
+    /// Whether all this is part of another page: without the panel, time is there only for as long as someone points.
+    pub embedded: bool,
     /// The file about which it is asked whether the scene is to be written there.
     pub saving: Option<String>,
 }
@@ -150,7 +163,7 @@ impl Shown {
     /// As it was the last time, with nothing asked.
     #[must_use]
     pub fn remembered(panel: bool, slide: bool, charts: bool) -> Self {
-        Self { panel, slide, charts, help: false, saving: None }
+        Self { panel, slide, charts, answer: false, help: false, embedded: false, saving: None }
     }
 }
 

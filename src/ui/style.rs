@@ -50,6 +50,20 @@ pub fn install(ctx: &Context) {
     }
 }
 
+/// Makes everything as large as fingers want it.
+pub fn for_fingers(ctx: &Context) {
+    for theme in [egui::Theme::Dark, egui::Theme::Light] {
+        ctx.style_mut_of(theme, |style| {
+            let spacing = &mut style.spacing;
+            spacing.interact_size = vec2(44.0, 44.0);
+            spacing.button_padding = vec2(10.0, 8.0);
+            spacing.icon_width = 22.0;
+            spacing.icon_width_inner = 12.0;
+            spacing.slider_rail_height = 6.0;
+        });
+    }
+}
+
 /// Switches the colours.
 pub fn set_theme(ctx: &Context, theme: scene::Theme) {
     ctx.set_theme(match theme {

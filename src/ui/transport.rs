@@ -29,7 +29,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.set_height(42.0);
         let mut button = |ui: &mut Ui, icon, name: &str, size, state: Option<bool>, command: Command| {
-            let name = keys_of(&command).map_or(name.to_owned(), |keys| format!("{name} ({keys})"));
+            let name = keys_of(&command, look.front).map_or(name.to_owned(), |keys| format!("{name} ({keys})"));
             if icon_button(ui, icon, &name, size, state).clicked() {
                 commands.push(command);
             }
@@ -75,7 +75,7 @@ fn clock_ui(ui: &mut Ui, look: &Look<'_>) {
     ui.add_sized([width, 30.0], egui::Label::new(RichText::new(time).monospace().size(22.0)).halign(Align::Min));
 }
 
-fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+pub(super) fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let speed = look.sim.clock.speed;
     let text = RichText::new(numbers::speed(speed)).monospace().size(16.0);
     ui.add_sized([58.0, 24.0], egui::Label::new(text).halign(Align::Max));
@@ -112,7 +112,7 @@ fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
 }
 
 /// How often it flips and when next.
-fn flips(ui: &mut Ui, look: &Look<'_>) {
+pub(super) fn flips(ui: &mut Ui, look: &Look<'_>) {
     let large = |text: String| RichText::new(text).size(20.0).strong();
     let words = |text: String| RichText::new(text).size(14.5);
     let speed = look.sim.clock.speed;
@@ -127,12 +127,20 @@ fn flips(ui: &mut Ui, look: &Look<'_>) {
                 let color = style::warning(ui.visuals().dark_mode);
                 ui.label(if is_soon { text.color(color) } else { text });
             }
+            None if look.loses_energy() => {
+                ui.label(large("flips are not predicted".to_owned()));
+            }
             None if look.timeline.first_flip.is_some() => {
                 ui.label(large("no flip comes any more".to_owned()));
             }
             None => {
                 ui.label(large("it does not flip".to_owned()));
             }
+        }
+        if look.loses_energy() {
+            let left = 100.0 * (1.0 + look.sim.energy_error());
+            ui.label(words(format!("energy is lost: {left:.1} % of K is left")));
+            return;
         }
         let start = &look.scene.start;
         let as_rounded = poinsot::classify(&look.scene.body, start.body_momentum);

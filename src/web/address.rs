@@ -50,13 +50,19 @@ impl Address {
         if left > 0.0 {
             return Some(left);
         }
+        self.write_now(session, now);
+        None
+    }
+
+    /// The same at once.
+    pub(super) fn write_now(&mut self, session: &Session, now: f64) {
         self.revision = Some(session.revision());
         self.written = now;
         let fragment = session.link();
         if fragment == self.fragment {
-            return None;
+            return;
         }
-        let history = dom::window().and_then(|window| window.history().ok())?;
+        let Some(history) = dom::window().and_then(|window| window.history().ok()) else { return };
         let is_another_scene = !self.title.is_empty() && self.title != session.title();
         let written = if is_another_scene {
             history.push_state_with_url(&JsValue::NULL, "", Some(&fragment))
@@ -68,6 +74,5 @@ impl Address {
             session.title().clone_into(&mut self.title);
             self.fragment = Self::read();
         }
-        None
     }
 }

@@ -238,8 +238,6 @@ fn surroundings(inbox: &Rc<Inbox>) {
     on("hashchange", || Happening::Address);
     on("resize", || Happening::Event(Event::WindowFocused(true)));
     let to = Rc::clone(inbox);
-    dom::listen(&document, "visibilitychange", move |_: web_sys::Event| to.put(Happening::Leaving));
-    let to = Rc::clone(inbox);
     dom::listen(&document, "fullscreenchange", move |_: web_sys::Event| to.request());
     let to = Rc::clone(inbox);
     dom::listen(&window, "message", move |event: MessageEvent| to.put(Happening::Message(event)));

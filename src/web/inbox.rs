@@ -23,10 +23,10 @@ pub(super) enum Happening {
     Address,
     /// A message of another page, and who sent it.
     Message(web_sys::MessageEvent),
+    /// What had the keyboard in the page has it no more.
+    LetGo,
     /// A sentence to be said.
     Say(String),
-    /// The page may be left.
-    Leaving,
 }
 
 /// What happened, and whether a frame is to come.

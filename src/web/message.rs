@@ -34,8 +34,8 @@ pub(super) fn commands(event: &MessageEvent, is_playing: bool) -> Option<Vec<Com
         "play" | "pause" => Command::PlayPause,
         "goto" => Command::GoTo(number("time")?),
         "step" => Command::Step(number("count").unwrap_or(1.0) as i64),
-        "next" => Command::NextScene,
-        "previous" => Command::PreviousScene,
+        "next" => Command::NextStep,
+        "previous" => Command::PreviousStep,
         "state" => return Some(vec![]),
         _ => return None,
     };

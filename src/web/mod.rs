@@ -10,6 +10,7 @@ mod events;
 mod inbox;
 mod keyboard;
 mod message;
+mod mirror;
 mod open;
 mod options;
 mod page;

@@ -2,12 +2,13 @@
 
 use std::rc::Rc;
 
-use web_sys::{HtmlCanvasElement, HtmlInputElement};
+use web_sys::{Event, EventTarget, HtmlCanvasElement, HtmlInputElement};
 
 use super::inbox::Inbox;
 use super::options::Options;
 use super::page::{Page, Slot, session};
 use super::{dom, effects, events, remember, text_input};
+use crate::session::Remembered;
 use crate::stage::Stage;
 
 /// What is said where nothing can be drawn.
@@ -29,7 +30,8 @@ pub fn start() {
 async fn open() -> Result<(), String> {
     let canvas: HtmlCanvasElement = dom::element("canvas").ok_or("The page has no canvas: load it again")?;
     let options = Options::read();
-    let remembered = remember::load();
+    let kept = remember::load();
+    let remembered = Remembered { panel: options.panel.unwrap_or(kept.panel), ..kept };
     let session = session(options, &remembered).map_err(|error| error.to_string())?;
     let inbox = Inbox::new();
     events::listen(&inbox, &canvas);
@@ -42,7 +44,7 @@ async fn open() -> Result<(), String> {
     let size = (size.0.round() as u32, size.1.round() as u32);
     inbox.size.set(size);
     let stage = stage(&canvas, size, options.webgpu).await?;
-    let page = Page::new(Rc::clone(&inbox), canvas, options, (session, remembered), stage);
+    let page = Page::new(Rc::clone(&inbox), canvas, options, (session, kept), stage);
     let slot: Slot = Rc::default();
     *slot.borrow_mut() = Some(page);
     let own = Rc::clone(&slot);
@@ -51,8 +53,28 @@ async fn open() -> Result<(), String> {
             page.frame();
         }
     });
+    leavings(&slot);
     inbox.request();
     Ok(())
+}
+
+/// Keeps everything when the page may be left: at once, for there may be no frame after it.
+fn leavings(slot: &Slot) {
+    let (Some(window), Some(document)) = (dom::window(), dom::document()) else { return };
+    let on = |target: &EventTarget, name: &str, call: fn(&mut Page)| {
+        let slot = Rc::clone(slot);
+        dom::listen(target, name, move |_: Event| {
+            if let Ok(mut page) = slot.try_borrow_mut()
+                && let Some(page) = page.as_mut()
+            {
+                call(page);
+            }
+        });
+    };
+    on(&document, "visibilitychange", Page::leave);
+    on(&window, "pagehide", Page::leave);
+    // Told by the script that loaded the page.
+    on(&window, "dzhanibekov-over", Page::end);
 }
 
 /// A device that draws on the canvas: by WebGPU where that is asked for and there, else by WebGL 2.

@@ -3,6 +3,9 @@
 use super::dom;
 use crate::scene::Theme;
 
+/// Whether people want less motion.
+pub(super) const REDUCED_MOTION: &str = "(prefers-reduced-motion: reduce)";
+
 /// What stands after the `?` of the address.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(clippy::struct_excessive_bools, reason = "each is asked for by itself")]
@@ -15,7 +18,7 @@ pub(super) struct Options {
     pub(super) theme: Option<Theme>,
     /// Whether time runs from the start.
     pub(super) play: bool,
-    /// Whether it begins anew where the line of time ends.
+    /// Whether one flip is shown again and again.
     pub(super) loops: bool,
     /// Whether WebGPU is to be tried.
     pub(super) webgpu: bool,
@@ -48,7 +51,7 @@ impl Options {
                 "light" => Some(Theme::Light),
                 _ => None,
             }),
-            play: flag("play").unwrap_or_else(|| !dom::matches("(prefers-reduced-motion: reduce)")),
+            play: flag("play").unwrap_or_else(|| !dom::matches(REDUCED_MOTION)),
             loops: flag("loop").unwrap_or(false),
             webgpu: last("renderer") == Some("webgpu"),
         }

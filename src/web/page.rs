@@ -11,13 +11,19 @@ use web_time::Instant;
 
 use super::address::Address;
 use super::inbox::{Happening, Inbox};
-use super::options::Options;
+use super::mirror::Mirror;
+use super::options::{Options, REDUCED_MOTION};
 use super::touch::{Fingers, Place};
 use super::{cursor, dom, effects, keyboard, message, remember, text_input};
+use crate::objects;
 use crate::scene::{Scene, SceneError, Theme, link};
 use crate::session::{Effect, Remembered, Session, slug};
 use crate::stage::{self, Around, Pacer, Pending, Stage};
-use crate::ui::{Command, Front, Panels};
+use crate::ui::{Command, Front, Panels, style};
+
+/// What is said where the graphics device is gone.
+const LOST: &str =
+    "The graphics of this page were taken away (by the driver, or by too many pages at once): load it again, and it goes on where it was.";
 
 /// The open page.
 pub(super) struct Page {
@@ -30,6 +36,9 @@ pub(super) struct Page {
     pacer: Pacer,
     fingers: Fingers,
     address: Address,
+    mirror: Mirror,
+    /// The flip that comes next (s).
+    next_flip: Option<f64>,
     remembered: Remembered,
     /// What was last seen of the session's jumps in time.
     jumps: u64,
@@ -41,6 +50,8 @@ pub(super) struct Page {
     repaint_at: Option<Instant>,
     focused: bool,
     frames: u32,
+    /// Nothing can be drawn any more.
+    is_over: bool,
 }
 
 /// The session that the address asks for: a link that is none is said, with the flip behind it.
@@ -50,21 +61,28 @@ pub(super) fn session(options: Options, remembered: &Remembered) -> Result<Sessi
     let fragment = Some(Address::read()).filter(|fragment| fragment.len() > 1).unwrap_or(own);
     let flip = || link::read("#");
     let asked = if fragment.is_empty() { flip() } else { link::read(&fragment) };
-    let checked = asked.and_then(|read| Ok((crate::objects::check(&read.file)?, read)));
+    let checked = asked.and_then(|read| Ok((checked(&read)?, read)));
     let (scene, read, why): (Scene, _, _) = match checked {
         Ok((scene, read)) => (scene, read, None),
         Err(why) => {
             let read = flip()?;
-            (crate::objects::check(&read.file)?, read, Some(why))
+            (checked(&read)?, read, Some(why))
         }
     };
     let now = Instant::now();
     let mut session = Session::new(scene, Vec::new(), remembered, now);
     session.shown_by(Front::Page);
+    if options.embed {
+        session.embed();
+    }
+    session.set_gliding(!dom::matches(REDUCED_MOTION));
     let is_light = dom::matches("(prefers-color-scheme: light)");
     session.prefer_theme(options.theme.unwrap_or(if is_light { Theme::Light } else { Theme::Dark }));
     if let Some(time) = read.time {
         session.apply(Command::GoTo(time), now);
+    }
+    if options.loops {
+        session.apply(Command::LoopFlip, now);
     }
     if !options.play && session.is_playing() {
         session.apply(Command::PlayPause, now);
@@ -73,6 +91,11 @@ pub(super) fn session(options: Options, remembered: &Remembered) -> Result<Sessi
         session.say(why.to_string());
     }
     Ok(session)
+}
+
+/// The scene of a link, at its step: what is told in steps begins with the first.
+fn checked(read: &link::Link) -> Result<Scene, SceneError> {
+    objects::check_at(&read.file, read.step.or(read.file.first_step()))
 }
 
 impl Page {
@@ -85,6 +108,9 @@ impl Page {
         stage: Stage,
     ) -> Self {
         let now = Instant::now();
+        if dom::matches("(pointer: coarse)") {
+            style::for_fingers(stage.context());
+        }
         if keyboard::is_mac() {
             stage.context().set_os(egui::os::OperatingSystem::Mac);
         }
@@ -100,6 +126,8 @@ impl Page {
             pacer: Pacer::new(now),
             fingers: Fingers::default(),
             address,
+            mirror: Mirror::default(),
+            next_flip: None,
             remembered,
             jumps: 0,
             began: now,
@@ -108,6 +136,7 @@ impl Page {
             repaint_at: None,
             focused: true,
             frames: 0,
+            is_over: false,
         }
     }
 
@@ -115,13 +144,17 @@ impl Page {
     pub(super) fn frame(&mut self) {
         let now = Instant::now();
         let (width, height) = self.inbox.size.get();
-        if width == 0 || height == 0 {
+        if width == 0 || height == 0 || self.is_over {
             return;
+        }
+        if self.stage.is_lost() {
+            self.end();
+            return effects::fail(LOST);
         }
         self.stage.resize(width, height);
         let ratio = dom::window().map_or(1.0, |window| window.device_pixel_ratio()) as f32;
         let css = Vec2::new(width as f32, height as f32) / ratio;
-        let zoom = stage::zoom(css.x, css.y, self.session.text_size());
+        let zoom = stage::zoom_on_page(css.x, css.y, self.session.text_size());
         self.stage.context().set_zoom_factor(zoom);
         let place = Place { picture: self.stage.picture(), zoom, pixels_per_point: ratio * zoom };
 
@@ -144,8 +177,18 @@ impl Page {
             fullscreen: effects::is_fullscreen(),
         };
         let input = self.input(events, css / zoom, ratio, now);
+        let at = self.milliseconds(now);
+        if self.mirror.is_due(at, self.session.is_moving()) {
+            self.stage.context().enable_accesskit();
+        } else {
+            self.stage.context().disable_accesskit();
+        }
         let drawn = self.stage.draw(input, &mut self.session, &mut self.panels, around, || {});
         self.follow(&drawn.platform, zoom);
+        if let Some(tree) = &drawn.platform.accesskit_update {
+            self.mirror.update(tree, &self.inbox, at);
+        }
+        self.say_aloud();
         let commands: Vec<Command> =
             drawn.commands.into_iter().filter(|command| !self.fingers.refuse(command)).collect();
         self.fingers.end_frame();
@@ -161,8 +204,8 @@ impl Page {
         // When the next one is due.
         let after = |seconds: f64| now + std::time::Duration::from_secs_f64(seconds);
         self.repaint_at = drawn.repaint_after.and_then(|delay| now.checked_add(delay));
-        let address = self.address.write(&self.session, self.milliseconds(now));
-        if self.session.is_playing() || has_commands || !self.pending.is_empty() {
+        let address = self.address.write(&self.session, at);
+        if self.session.is_moving() || has_commands || !self.pending.is_empty() {
             self.inbox.request();
             return;
         }
@@ -208,11 +251,12 @@ impl Page {
                         message::answer(&event, &self.session);
                     }
                 }
+                Happening::LetGo => self.stage.context().memory_mut(|memory| {
+                    if let Some(focused) = memory.focused() {
+                        memory.surrender_focus(focused);
+                    }
+                }),
                 Happening::Say(sentence) => self.session.say(sentence),
-                Happening::Leaving => {
-                    self.keep();
-                    self.pacer.stand();
-                }
             }
         }
         self.fingers.rest(at, place, (events, commands))
@@ -289,6 +333,22 @@ impl Page {
         self.session.say(words);
     }
 
+    /// Has a flip that has just been read aloud, and what is said to everyone.
+    fn say_aloud(&mut self) {
+        let look = self.session.look(None, false);
+        let (time, is_backwards) = (look.sim.time(), look.sim.clock.speed < 0.0);
+        let passed = self.next_flip.filter(|flip| self.session.is_playing() && (time >= *flip) != is_backwards);
+        let sentence = match (look.message, passed) {
+            (Some(message), _) => message.to_owned(),
+            (None, Some(flip)) => format!("flip at {flip:.1} {}", look.scene.view.time_unit.sign()),
+            (None, None) => String::new(),
+        };
+        self.next_flip = look.timeline.next_flip(time, is_backwards);
+        if !sentence.is_empty() {
+            self.mirror.say(&sentence);
+        }
+    }
+
     /// Gives pictures that have arrived to the browser.
     fn take_pictures(&mut self) {
         for (pending, name) in std::mem::take(&mut self.pending) {
@@ -315,9 +375,27 @@ impl Page {
         text_input::follow(typed);
     }
 
+    /// The page may be left, and there may be no frame any more: everything is kept now.
+    pub(super) fn leave(&mut self) {
+        self.keep();
+        self.pacer.stand();
+        self.address.write_now(&self.session, self.milliseconds(Instant::now()));
+    }
+
+    /// Nothing can be drawn any more.
+    pub(super) fn end(&mut self) {
+        self.leave();
+        self.is_over = true;
+    }
+
     /// Keeps what is remembered.
     fn keep(&mut self) {
+        let panel = self.remembered.panel;
         self.session.remember(&mut self.remembered);
+        // What the address asked for is not what its reader chose.
+        if self.options.panel.is_some() {
+            self.remembered.panel = panel;
+        }
         if !self.options.embed {
             remember::save(&self.remembered);
         }
@@ -336,6 +414,10 @@ fn in_points(mut event: Event, zoom: f32) -> Event {
 
 /// Takes the start's picture away.
 fn show() {
+    if let Some(performance) = dom::window().and_then(|window| window.performance()) {
+        // For whoever measures it.
+        let _ = performance.mark("first frame");
+    }
     if let Some(root) = dom::document().and_then(|document| document.document_element()) {
         let _ = root.set_attribute("data-state", "running");
     }
