@@ -8,7 +8,7 @@ use super::keys::keys_of;
 use super::{Command, Look, style, timeline, transport};
 
 /// A screen with a side below these (points) is one.
-const SMALLEST_DESK: Vec2 = Vec2::new(600.0, 390.0);
+const SMALLEST_DESK: Vec2 = Vec2::new(640.0, 400.0);
 /// Least side of what a finger meets (points).
 const FINGER: f32 = 44.0;
 /// Part of the height that the sheet takes where the screen stands upright.
@@ -85,7 +85,7 @@ pub(super) fn time_in_sheet(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Com
         }
     });
     transport::flips(ui, look);
-    ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+    ui.horizontal(|ui| {
         ui.set_height(FINGER);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| transport::speed(ui, look, commands));
     });

@@ -157,7 +157,8 @@ pub static BINDINGS: &[Binding] = &[
     row("Ctrl+Z", &[(Control, Key::Z)], "take the last change back", Command::Undo, silent),
     row("Ctrl+Shift+Z", &[(ControlShift, Key::Z)], "make it again", Command::Redo, silent),
     row("Ctrl+S", &[(Control, Key::S)], "save the scene", Command::SaveScene, silent),
-    row("Ctrl +", &[(Control, Key::Plus), (Control, Key::Equals)], "larger text", Command::TextSize(1.1), silent).on_page(None),
+    row("Ctrl +", &[(Control, Key::Plus), (Control, Key::Equals)], "larger text", Command::TextSize(1.1), silent)
+        .on_page(None),
     row("Ctrl −", &[(Control, Key::Minus)], "smaller text", Command::TextSize(1.0 / 1.1), silent).on_page(None),
     row("Ctrl 0", &[(Control, Key::Num0)], "usual text", Command::TextSize(0.0), silent).on_page(None),
     row(

@@ -150,40 +150,40 @@ impl Panels {
         commands: &mut Vec<Command>,
         above: impl FnOnce(&mut Ui, &mut Vec<Command>),
     ) {
-            // Room for the scroll bar, so that nothing moves when it comes.
+        // Room for the scroll bar, so that nothing moves when it comes.
+        ui.set_max_width(ui.available_width() - 10.0);
+        let title = scene_picker(ui, look, commands);
+        if std::mem::take(&mut self.focus_wanted) {
+            // Back to where it was, as after a number typed; else to the beginning.
+            let last = self.last_focus.filter(|last| ui.ctx().read_response(*last).is_some());
+            ui.memory_mut(|memory| memory.request_focus(last.unwrap_or(title.id)));
+        }
+        let tabs = [
+            (Tab::Motion, "Motion", "The body and how it starts"),
+            (Tab::Methods, "Methods", "How the motion is followed, and how well"),
+            (Tab::Picture, "Picture", "What is drawn, and pictures and scenes to keep"),
+        ];
+        if let Some(tab) = widgets::choice(ui, Some(self.tab), &tabs) {
+            self.tab = tab;
+        }
+        // They stay while what is below them scrolls.
+        ui.set_max_width(ui.available_width() + 10.0);
+        ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             ui.set_max_width(ui.available_width() - 10.0);
-            let title = scene_picker(ui, look, commands);
-            if std::mem::take(&mut self.focus_wanted) {
-                // Back to where it was, as after a number typed; else to the beginning.
-                let last = self.last_focus.filter(|last| ui.ctx().read_response(*last).is_some());
-                ui.memory_mut(|memory| memory.request_focus(last.unwrap_or(title.id)));
-            }
-            let tabs = [
-                (Tab::Motion, "Motion", "The body and how it starts"),
-                (Tab::Methods, "Methods", "How the motion is followed, and how well"),
-                (Tab::Picture, "Picture", "What is drawn, and pictures and scenes to keep"),
-            ];
-            if let Some(tab) = widgets::choice(ui, Some(self.tab), &tabs) {
-                self.tab = tab;
-            }
-            // They stay while what is below them scrolls.
-            ui.set_max_width(ui.available_width() + 10.0);
-            ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-                ui.set_max_width(ui.available_width() - 10.0);
-                above(ui, commands);
-                match self.tab {
-                    Tab::Motion => {
-                        body::show(ui, look, commands);
-                        spin::show(ui, look, commands);
-                        readouts::motion(ui, look);
-                    }
-                    Tab::Methods => {
-                        method::show(ui, look, commands);
-                        readouts::errors(ui, look);
-                    }
-                    Tab::Picture => picture::show(ui, look, commands),
+            above(ui, commands);
+            match self.tab {
+                Tab::Motion => {
+                    body::show(ui, look, commands);
+                    spin::show(ui, look, commands);
+                    readouts::motion(ui, look);
                 }
-            });
+                Tab::Methods => {
+                    method::show(ui, look, commands);
+                    readouts::errors(ui, look);
+                }
+                Tab::Picture => picture::show(ui, look, commands),
+            }
+        });
     }
 }
 

@@ -2,7 +2,8 @@
 //!
 //! The panels tell what they are by the tree that screen readers get from the window too; whatever is added there is here by itself.
 
-use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use egui::accesskit::{Action, ActionData, ActionRequest, Node, NodeId, Role, Toggled, TreeId, TreeUpdate};
@@ -80,11 +81,13 @@ impl Mirror {
                 }
                 element.remove();
             }
-            if !self.elements.contains_key(&part.id) {
-                let Some(element) = made(part, inbox) else { continue };
-                self.elements.insert(part.id, element);
-            }
-            let Some(element) = self.elements.get(&part.id) else { continue };
+            let element = match self.elements.entry(part.id) {
+                Entry::Occupied(here) => here.into_mut(),
+                Entry::Vacant(place) => {
+                    let Some(element) = made(part, inbox) else { continue };
+                    place.insert(element)
+                }
+            };
             if old != Some(&part) {
                 fill(element, part, old.copied());
             }
@@ -95,9 +98,9 @@ impl Mirror {
                 let _ = root.insert_before(element, place.as_ref());
             }
         }
-        let here: HashMap<NodeId, ()> = parts.iter().map(|part| (part.id, ())).collect();
+        let here: HashSet<NodeId> = parts.iter().map(|part| part.id).collect();
         self.elements.retain(|id, element| {
-            let stays = here.contains_key(id);
+            let stays = here.contains(id);
             if !stays {
                 element.remove();
             }

@@ -22,8 +22,13 @@ use crate::stage::{self, Around, Pacer, Pending, Stage};
 use crate::ui::{Command, Front, Panels, style};
 
 /// What is said where the graphics device is gone.
-const LOST: &str =
-    "The graphics of this page were taken away (by the driver, or by too many pages at once): load it again, and it goes on where it was.";
+const LOST: &str = "The graphics of this page were taken away (by the driver, or by too many pages at once): load it again, and it goes on where it was.";
+
+/// How to go on with a finger, said once at the beginning.
+const FIRST_WORDS: &str =
+    "Drag to turn · two fingers zoom · the arrow at the bottom goes on · the three lines open all else";
+/// Whether a finger is what the screen is pointed at with.
+const FINGERS: &str = "(pointer: coarse)";
 
 /// The open page.
 pub(super) struct Page {
@@ -61,8 +66,8 @@ pub(super) fn session(options: Options, remembered: &Remembered) -> Result<Sessi
     let fragment = Some(Address::read()).filter(|fragment| fragment.len() > 1).unwrap_or(own);
     let flip = || link::read("#");
     let asked = if fragment.is_empty() { flip() } else { link::read(&fragment) };
-    let checked = asked.and_then(|read| Ok((checked(&read)?, read)));
-    let (scene, read, why): (Scene, _, _) = match checked {
+    let found = asked.and_then(|read| Ok((checked(&read)?, read)));
+    let (scene, read, why): (Scene, _, _) = match found {
         Ok((scene, read)) => (scene, read, None),
         Err(why) => {
             let read = flip()?;
@@ -72,6 +77,9 @@ pub(super) fn session(options: Options, remembered: &Remembered) -> Result<Sessi
     let now = Instant::now();
     let mut session = Session::new(scene, Vec::new(), remembered, now);
     session.shown_by(Front::Page);
+    if dom::matches(FINGERS) {
+        session.say(FIRST_WORDS);
+    }
     if options.embed {
         session.embed();
     }
@@ -108,7 +116,7 @@ impl Page {
         stage: Stage,
     ) -> Self {
         let now = Instant::now();
-        if dom::matches("(pointer: coarse)") {
+        if dom::matches(FINGERS) {
             style::for_fingers(stage.context());
         }
         if keyboard::is_mac() {
