@@ -19,6 +19,7 @@ fn places(pane: &Pane) -> impl Iterator<Item = Vec3> + '_ {
     let vertices = pane.meshes.iter().flat_map(|mesh| mesh.vertices.iter().map(|vertex| vertex.position));
     let on_lines = pane.lines.iter().flat_map(|line| line.points.iter().map(|point| point.position));
     let marks = pane.markers.iter().map(|marker| marker.position);
+    let marks = marks.chain(pane.dots.iter().map(|dot| dot.position));
     vertices.chain(on_lines).chain(marks).chain(pane.labels.iter().map(|label| label.anchor))
 }
 
@@ -118,5 +119,22 @@ fn the_ellipsoid_touches_the_plane_opposite_the_tip_of_the_angular_velocity() ->
         let normal = (pair.first.unit_from_world.transpose() * unit.extend(0.0)).truncate().normalize();
         assert!(normal.z < -1.0 + 1e-6, "{normal}");
     }
+    Ok(())
+}
+
+#[test]
+fn a_cloud_is_dots_of_the_sphere_and_a_few_bodies_and_says_where_it_knows_nothing() -> Result<(), SceneError> {
+    let mut file = preset("cloud")?.read()?;
+    let frame = frame_of(&check(&file)?, 3.0, 16.0 / 9.0);
+    let dots = &frame.panes[1].dots;
+    let count = check(&file)?.cloud.count;
+    // Few lie so close that one hides another.
+    assert!(dots.len() <= count && dots.len() > count / 2, "{} of {count}", dots.len());
+    assert!(dots.iter().all(|dot| (dot.position.length() - 1.0).abs() < 1e-5));
+    assert_eq!(frame.panes[0].meshes.iter().filter(|mesh| !mesh.opaque && mesh.vertices.len() == 24).count(), 6);
+    file.motion.energy_loss = Some(0.1);
+    let frame = frame_of(&check(&file)?, 3.0, 16.0 / 9.0);
+    assert!(frame.panes[1].dots.is_empty());
+    assert!(frame.panes[1].notes.iter().any(|note| note.text == "the cloud of starts knows no energy loss"));
     Ok(())
 }

@@ -7,6 +7,7 @@ mod axes;
 mod body;
 mod body_axes;
 mod check;
+mod cloud;
 mod context;
 mod curve;
 mod floor;
@@ -230,6 +231,14 @@ pub static OBJECTS: &[Object] = &[
         "The bodies of the methods that are compared, seen through",
     ),
     object(
+        "cloud-bodies",
+        "Bodies of the cloud",
+        World,
+        false,
+        cloud::bodies,
+        "A handful of bodies that started close together, seen through",
+    ),
+    object(
         "momentum",
         "Angular momentum L",
         World,
@@ -286,6 +295,14 @@ pub static OBJECTS: &[Object] = &[
         true,
         axes::poles,
         "The six steady spins: stable ones dots, unstable ones crosses",
+    ),
+    object(
+        "cloud",
+        "Cloud of starts",
+        Momentum,
+        false,
+        cloud::points,
+        "Starts close together round each axis, all followed exactly",
     ),
     object("polhode", "Polhode", Momentum, true, polhode::draw, "The path of M: where sphere and ellipsoid cross"),
     object(

@@ -4,6 +4,7 @@ use std::mem::offset_of;
 
 use wgpu::naga;
 
+use super::dots::DotData;
 use super::line::SegmentData;
 use super::marker::MarkData;
 use super::mesh::VertexData;
@@ -97,5 +98,10 @@ fn vertices_hold_what_the_shaders_read() {
     let line = include_str!("../../shaders/line.wgsl");
     same_inputs!(line, SegmentData, before, start, end, after, style, along, start_color, end_color);
     same_inputs!(&super::marker::source(), MarkData, position, style, color, rim);
+    // Its colour is of bytes, which the device makes four numbers of.
+    let dots = inputs(include_str!("../../shaders/dots.wgsl"));
+    let expected =
+        vec![("place".to_owned(), offset_of!(DotData, place)), ("color".to_owned(), offset_of!(DotData, color))];
+    assert_eq!((dots.0, size_of::<DotData>()), (expected, 16 + 4));
     same_inputs!(include_str!("../../shaders/text.wgsl"), GlyphData, place, source, color);
 }

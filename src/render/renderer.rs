@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::buffer::UniformBuffer;
+use super::dots::Dots;
 use super::gpu::Gpu;
 use super::line::Lines;
 use super::marker::Markers;
@@ -30,6 +31,7 @@ pub(super) struct Renderer {
     meshes: Meshes,
     quadrics: Quadrics,
     lines: Lines,
+    dots: Dots,
     markers: Markers,
     texts: Texts,
     /// Where the device's own way is not taken.
@@ -46,10 +48,11 @@ impl Renderer {
         let meshes = Meshes::new(&maker);
         let quadrics = Quadrics::new(&maker);
         let lines = Lines::new(&maker);
+        let dots = Dots::new(&maker);
         let markers = Markers::new(&maker);
         let texts = Texts::new(&maker);
         let resolve = gpu.is_software_vulkan().then(|| Resolve::new(&gpu.device));
-        Self { panes, meshes, quadrics, lines, markers, texts, resolve, targets: None }
+        Self { panes, meshes, quadrics, lines, dots, markers, texts, resolve, targets: None }
     }
 
     /// Draws the frame into `target`, a view of a [`FORMAT`](super::FORMAT) texture of this size, with `point` pixels a point
@@ -75,6 +78,7 @@ impl Renderer {
         let layers = || frame.panes.iter().zip(&flat);
         let lines = layers().flat_map(|(pane, (lines, _))| [(&*pane.lines, pane.lift), (&**lines, 0.0)]);
         self.lines.upload(device, queue, lines);
+        self.dots.upload(device, queue, frame.panes.iter());
         self.markers.upload(device, queue, layers().flat_map(|(pane, (_, markers))| [&*pane.markers, &**markers]));
         self.texts.upload((device, queue), frame, &notes, &uniforms, picture, point);
 
@@ -130,6 +134,7 @@ impl Renderer {
                 } else {
                     self.lines.draw_all(&mut pass, world);
                 }
+                self.dots.draw(&mut pass, number);
                 self.markers.draw(&mut pass, world);
                 self.panes.bind(&mut pass, 0, flat);
                 self.lines.draw_seen(&mut pass, flat);

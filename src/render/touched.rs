@@ -80,6 +80,11 @@ impl Touched {
                 add(&mut ends.iter().map(|end| project(end.position)), margin);
             }
         }
+        if let Some(dot) = pane.dots.first() {
+            // They may be anywhere on the unit sphere, and so within the cube round it.
+            let corner = |n: u32| Vec3::new(sign(n), sign(n >> 1), sign(n >> 2));
+            add(&mut (0..8).map(|n| project(corner(n))), dot.size * point + SOFT);
+        }
         for mark in &pane.markers {
             add(&mut std::iter::once(project(mark.position)), (MARK_REACH * mark.size + 2.0) * point + SOFT);
         }
@@ -107,6 +112,11 @@ impl Touched {
         }
         rectangles
     }
+}
+
+/// 1 or −1, by the last bit.
+fn sign(bits: u32) -> f32 {
+    if bits & 1 == 0 { 1.0 } else { -1.0 }
 }
 
 #[cfg(test)]
