@@ -41,7 +41,7 @@ mod tests {
         for (key, name, hint) in [
             ("show", "axis-tail", "object `axis-tail` is not known: the nearest is `axis-trail`"),
             ("hide", "shadows", "object `shadows` is not known: the nearest is `shadow`"),
-            ("hide", "floor", "object `floor` is not known: `dzhanibekov objects` lists them"),
+            ("hide", "carpet", "object `carpet` is not known: `dzhanibekov objects` lists them"),
         ] {
             let file = SceneFile::parse(&format!("view.{key} = [\"body\", \"{name}\"]"))?;
             assert_eq!(check(&file).map_err(|error| error.to_string()).err().as_deref(), Some(hint));

@@ -21,7 +21,7 @@ pub(super) fn points(context: &Context<'_>, pane: &mut Pane) {
         return;
     }
     if simulation.energy_loss() > 0.0 {
-        return knows_no_loss(context, pane);
+        return knows_no_loss(pane, context.palette.ink, "the cloud of starts knows no energy loss");
     }
     // The more there are, the smaller each.
     let size = (GROUND / (context.scene.cloud.count as f32).sqrt()).clamp(SMALLEST, LARGEST);
@@ -81,8 +81,7 @@ pub(super) fn bodies(context: &Context<'_>, pane: &mut Pane) {
     }
 }
 
-/// What stands there instead where energy is lost.
-fn knows_no_loss(context: &Context<'_>, pane: &mut Pane) {
-    let text = "the cloud of starts knows no energy loss".to_owned();
-    pane.notes.push(Note { text, size: 17.0, color: context.palette.ink, swatch: None });
+/// What stands in the place of something that knows no energy loss, where some is lost.
+pub(super) fn knows_no_loss(pane: &mut Pane, ink: Color, text: &str) {
+    pane.notes.push(Note { text: text.to_owned(), size: 17.0, color: ink, swatch: None });
 }

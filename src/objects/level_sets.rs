@@ -31,7 +31,7 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
 }
 
 /// A momentum of each path, in principal components: evenly in angle between the poles 1 and 3 and the separatrix.
-fn momenta(body: &Body) -> impl Iterator<Item = DVec3> {
+pub(super) fn momenta(body: &Body) -> impl Iterator<Item = DVec3> {
     let i = body.principal_moments();
     // The separatrix's angle from axis 3: tan² = κ² = I₁(I₃−I₂)/(I₃(I₂−I₁)).
     let slope = (i.x / i.z * (i.z - i.y)).sqrt().atan2((i.y - i.x).sqrt());

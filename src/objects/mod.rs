@@ -11,6 +11,7 @@ mod cloud;
 mod context;
 mod curve;
 mod floor;
+mod flow;
 #[cfg(test)]
 mod frames_test;
 mod ghosts;
@@ -25,6 +26,7 @@ mod surfaces;
 mod theme;
 mod tip;
 mod track;
+mod turn;
 mod vectors;
 
 use Space::{Momentum, World};
@@ -239,6 +241,14 @@ pub static OBJECTS: &[Object] = &[
         "A handful of bodies that started close together, seen through",
     ),
     object(
+        "turn",
+        "Turn in one period",
+        World,
+        false,
+        turn::turn,
+        "The angle by which the body has turned about L when M has come round once",
+    ),
+    object(
         "momentum",
         "Angular momentum L",
         World,
@@ -287,6 +297,22 @@ pub static OBJECTS: &[Object] = &[
         true,
         separatrix::draw,
         "The two circles' border between paths about axis 1 and about axis 3",
+    ),
+    object(
+        "flow",
+        "Flow",
+        Momentum,
+        false,
+        flow::draw,
+        "Arrowheads that run along the levels of the energy as M would there",
+    ),
+    object(
+        "solid-angle",
+        "Solid angle of M's path",
+        Momentum,
+        false,
+        turn::solid_angle,
+        "The part of the sphere that M goes round, and its solid angle",
     ),
     object(
         "poles",

@@ -13,18 +13,22 @@ const ROW_HEIGHT: f32 = 0.04;
 
 /// Of the world.
 pub(super) fn world(context: &Context<'_>, pane: &mut Pane) {
+    let others = std::mem::take(&mut pane.notes);
     caption(context, pane, "seen from the room: L stays");
     if context.simulation.energy_loss() > 0.0 {
         let left = 100.0 * (1.0 + context.simulation.energy_error());
         caption(context, pane, &format!("energy is lost: {left:.0} % of K is left"));
     }
+    pane.notes.extend(others);
     legend(context, pane);
 }
 
 /// Of momentum space.
 pub(super) fn momentum_space(context: &Context<'_>, pane: &mut Pane) {
     let unit = if context.shows(&super::AXES) { " (I\u{a0}in\u{a0}kg\u{a0}m²)" } else { "" };
+    let others = std::mem::take(&mut pane.notes);
     caption(context, pane, &format!("seen from the body: M is L{unit}"));
+    pane.notes.extend(others);
     if context.settings.layout == Layout::Body {
         legend(context, pane);
     }
