@@ -89,7 +89,8 @@ pub(super) fn turn(context: &Context<'_>, pane: &mut Pane) {
     let motion = Motion::new(simulation.body(), simulation.start());
     let [before, after] = [0.0, period.time].map(|time| motion.state(time));
     let floor = Vec3::new(0.0, 0.0, 0.006 - context.plane_height());
-    let [first, second] = [&before, &after].map(|state| floor_direction(context, state, &before));
+    let axis = flattest(context, &before);
+    let [first, second] = [&before, &after].map(|state| floor_direction(context, state, axis));
     let (old, new) = (context.palette.ink.alpha(0.7), context.palette.polhode);
     for (direction, color) in [(first, old), (second, new)] {
         pane.lines.push(Line::new([floor, floor + direction * REACH], 2.6, color).through(0.5));
@@ -106,14 +107,23 @@ pub(super) fn turn(context: &Context<'_>, pane: &mut Pane) {
     let turns = if whole == 1.0 { "1 turn and ".to_owned() } else { turns };
     let text = format!("then it has turned about L by Δψ = 2KT/ℓ − Λ = {turns}{:.1}°", rest.to_degrees());
     note(context, pane, &text);
+    note(context, pane, &format!("on the floor: axis {} at the start, and after T", axis + 1));
 }
 
-/// Where the axis that lies flattest at the start points, on the floor.
-fn floor_direction(context: &Context<'_>, state: &State, start: &State) -> Vec3 {
-    let axes = context.simulation.body().body_from_principal();
-    let at = |state: &State, axis: usize| context.world_from_body(state) * single(axes.col(axis));
-    let flattest = (0..3).min_by(|a, b| at(start, *a).z.abs().total_cmp(&at(start, *b).z.abs())).unwrap_or(0);
-    at(state, flattest).truncate().normalize_or(Vec2::X).extend(0.0)
+/// Where a principal axis, from 0, points in the picture.
+fn direction(context: &Context<'_>, state: &State, axis: usize) -> Vec3 {
+    context.world_from_body(state) * single(context.simulation.body().body_from_principal().col(axis))
+}
+
+/// The principal axis, from 0, that lies flattest.
+fn flattest(context: &Context<'_>, state: &State) -> usize {
+    let height = |axis: &usize| direction(context, state, *axis).z.abs();
+    (0..3).min_by(|a, b| height(a).total_cmp(&height(b))).unwrap_or(0)
+}
+
+/// Where an axis points, on the floor.
+fn floor_direction(context: &Context<'_>, state: &State, axis: usize) -> Vec3 {
+    direction(context, state, axis).truncate().normalize_or(Vec2::X).extend(0.0)
 }
 
 /// A part of a disc on the floor.

@@ -5,7 +5,7 @@ use std::ops::Range;
 use bytemuck::{Pod, Zeroable};
 
 use super::buffer::FrameBuffer;
-use super::pipeline::PipelineMaker;
+use super::pipeline::{Lazy, PipelineMaker, Recipe};
 use crate::frame::{Color, Pane};
 
 /// `Dot` of shaders/dots.wgsl.
@@ -18,26 +18,20 @@ pub(super) struct DotData {
 
 /// Draws the dots of a frame.
 pub(super) struct Dots {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: Lazy,
     corners: FrameBuffer,
     panes: Vec<Range<u32>>,
 }
 
 impl Dots {
-    pub(super) fn new(maker: &PipelineMaker<'_>) -> Self {
-        let module = maker.module("dots", include_str!("../../shaders/dots.wgsl"));
-        let attributes = wgpu::vertex_attr_array![0 => Float32x4, 1 => Unorm8x4];
-        let near = wgpu::CompareFunction::GreaterEqual;
-        Self {
-            pipeline: maker.overlay::<DotData>("dots", &module, &attributes, "vertex", near),
-            corners: FrameBuffer::new("dots", wgpu::BufferUsages::VERTEX),
-            panes: vec![],
-        }
+    pub(super) fn new() -> Self {
+        let corners = FrameBuffer::new("dots", wgpu::BufferUsages::VERTEX);
+        Self { pipeline: Lazy::default(), corners, panes: vec![] }
     }
 
     pub(super) fn upload<'a>(
         &mut self,
-        device: &wgpu::Device,
+        maker: &PipelineMaker<'_>,
         queue: &wgpu::Queue,
         panes: impl Iterator<Item = &'a Pane> + Clone,
     ) {
@@ -53,16 +47,36 @@ impl Dots {
             }
             self.panes.push(start..corners.len() as u32);
         }
-        self.corners.write(device, queue, bytemuck::cast_slice(&corners));
+        self.corners.write(maker.device, queue, bytemuck::cast_slice(&corners));
+        self.pipeline.want(count > 0, || pipeline(maker));
     }
 
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pane: usize) {
         let Some(range) = self.panes.get(pane).filter(|range| !range.is_empty()) else { return };
         let Some(corners) = self.corners.get() else { return };
-        pass.set_pipeline(&self.pipeline);
+        if !self.pipeline.set(pass) {
+            return;
+        }
         pass.set_vertex_buffer(0, corners.slice(..));
         pass.draw(range.clone(), 0..1);
     }
+}
+
+/// Blended over the surfaces, tested against them.
+fn pipeline(maker: &PipelineMaker<'_>) -> wgpu::RenderPipeline {
+    let module = maker.module("dots", include_str!("../../shaders/dots.wgsl"));
+    let buffer = wgpu::VertexBufferLayout {
+        array_stride: size_of::<DotData>() as u64,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes: &wgpu::vertex_attr_array![0 => Float32x4, 1 => Unorm8x4],
+    };
+    let recipe = Recipe {
+        buffer: Some(buffer),
+        groups: &[maker.pane_layout],
+        depth: Some((wgpu::CompareFunction::GreaterEqual, false)),
+        ..Recipe::new("dots", &module)
+    };
+    recipe.pipeline(maker.device)
 }
 
 /// A colour in bytes.

@@ -1,8 +1,8 @@
 //! What can stand for a key: each type of a scene's fields read from a value, and written as one.
 
-use super::keys::{Key, SOLID_KEYS};
+use super::keys::{Key, SOLID_KEYS, STEP_KEYS};
 use super::value::{Entry, Item, Value};
-use super::{CameraFile, Layout, PartKind, SolidFile, Theme, TimeUnit, read};
+use super::{CameraFile, Layout, PartKind, SolidFile, StepFile, Theme, TimeUnit, read};
 
 /// What kind of value a key takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +27,8 @@ pub enum Kind {
     Axes,
     /// Solids, each a table.
     Solids,
+    /// Steps, each a table.
+    Steps,
 }
 
 impl Kind {
@@ -47,6 +49,7 @@ impl Kind {
             Self::Names => "an array of names in quotes".to_owned(),
             Self::Axes => "an array of axes, each 1 (smallest moment), 2 or 3 (largest)".to_owned(),
             Self::Solids => "an array of solids, one at least".to_owned(),
+            Self::Steps => "an array of steps, each a table [[step]]".to_owned(),
         }
     }
 }
@@ -209,6 +212,23 @@ impl Single for SolidFile {
     }
 }
 
+impl Single for StepFile {
+    const KIND: Kind = Kind::Steps;
+    const MANY: Kind = Kind::Steps;
+    fn read(item: &Item) -> Result<Self, Refused> {
+        match &item.value {
+            Value::Table(entries) => read::step(entries).map_err(Refused::Wrong),
+            _ => Err(Refused::other(item)),
+        }
+    }
+    fn write(&self) -> Value {
+        // A camera by its keys one by one: `world_camera.distance`.
+        let own_name = |key: &Key<Self>| key.name.strip_prefix("step.").unwrap_or(key.name).to_owned();
+        let entry = |key: &Key<Self>| Some(Entry { key: own_name(key), start: 0, item: key.get(self)?.into() });
+        Value::Table(STEP_KEYS.iter().filter(|key| !key.is_short).filter_map(entry).collect())
+    }
+}
+
 /// The values of an array, each of them read.
 fn array<T: Single>(item: &Item) -> Result<Vec<T>, Refused> {
     let Value::List(items) = &item.value else { return Err(Refused::other(item)) };
@@ -260,7 +280,11 @@ impl<T: Single> Field for Vec<T> {
     }
     fn read(item: &Item) -> Result<Self, Refused> {
         let parts = array(item)?;
-        if parts.is_empty() && T::MANY != Kind::Names { Err(Refused::other(item)) } else { Ok(parts) }
+        if parts.is_empty() && !matches!(T::MANY, Kind::Names | Kind::Steps) {
+            Err(Refused::other(item))
+        } else {
+            Ok(parts)
+        }
     }
 }
 

@@ -17,6 +17,7 @@ mod nearest;
 mod parts;
 mod presets;
 mod read;
+mod step;
 #[cfg(test)]
 mod tests;
 mod value;
@@ -24,15 +25,16 @@ mod view;
 mod word;
 mod write;
 
-pub use check::{DEFAULT_EDGES, Scene, SceneError};
+pub use check::{DEFAULT_EDGES, SPEEDS, Scene, SceneError};
 pub use cloud::Cloud;
 pub use command::{flags, quoted};
 pub use edit::{Edit, Edits};
 pub use field::Kind;
 pub use file::{BodyFile, CameraFile, CloudFile, MotionFile, SceneFile, SolidFile, SpinFile, ViewFile};
-pub use keys::{Flag, KEYS, Key, SOLID_KEYS, key};
+pub use keys::{Flag, KEYS, Key, SOLID_KEYS, STEP_KEYS, key};
 pub use nearest::nearest;
 pub use parts::{Part, PartKind};
 pub use presets::{DEFAULT_PRESET, Preset, preset, presets};
+pub use step::{ALL, Pace, StepFile};
 pub use value::{Entry, Item, Value};
 pub use view::{Layout, Theme, TimeUnit, View};

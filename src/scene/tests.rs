@@ -4,7 +4,7 @@ use super::edit::Edits;
 use super::keys::{KEYS, Key};
 use super::{
     BodyFile, CameraFile, CloudFile, Layout, MotionFile, PartKind, Scene, SceneError, SceneFile, SolidFile, SpinFile,
-    Theme, TimeUnit, ViewFile, flags, link, presets,
+    StepFile, Theme, TimeUnit, ViewFile, flags, link, presets,
 };
 use crate::physics::{METHODS, Method, methods::LOSS_METHOD};
 
@@ -158,6 +158,7 @@ impl Random {
             hide: self.names(&objects),
             labels: self.maybe(|it| it.is(2)),
             font_scale: self.maybe(|it| 0.25 + it.share()),
+            slow_at_flip: self.maybe(|it| it.is(2)),
             azimuth_deg: self.maybe(Self::number),
             elevation_deg: self.maybe(Self::number),
             distance: self.maybe(|it| it.positive(-3, 3)),
@@ -166,17 +167,35 @@ impl Random {
         }
     }
 
+    fn step(&mut self) -> StepFile {
+        let objects = ["all", "body", "plane", "tip"];
+        StepFile {
+            text: self.text(),
+            show: self.names(&objects),
+            hide: self.names(&objects),
+            layout: self.maybe(|it| it.pick(&[Layout::Both, Layout::World, Layout::Body])),
+            world_camera: self.camera(),
+            body_camera: self.camera(),
+            time: self.maybe(Self::number),
+            speed: self.maybe(|it| it.pick(&[0.25, 0.1, 1.0, -2.0])),
+            pause: self.maybe(|it| it.is(2)),
+            slow_at_flip: self.maybe(|it| it.is(2)),
+        }
+    }
+
     fn scene(&mut self) -> SceneFile {
         SceneFile {
             title: self.text(),
             text: self.text(),
             question: self.text(),
+            answer: self.text(),
             order: self.maybe(|it| it.next().cast_signed()),
             body: self.body(),
             spin: self.spin(),
             motion: self.motion(),
             cloud: self.cloud(),
             view: self.view(),
+            steps: if self.is(2) { vec![] } else { (0..self.below(4)).map(|_| self.step()).collect() },
         }
     }
 
@@ -260,6 +279,9 @@ fn random_scenes_come_back_from_text_flags_and_links() -> Result<(), String> {
         let other = random.scene();
         let file = if random.is(2) { random.mixed(&base, &other) } else { other };
         Scene::check(&file).map_err(|error| format!("seed {seed}: {error}: {}", file.to_toml()))?;
+        for step in 0..file.steps.len() {
+            Scene::check_at(&file, Some(step)).map_err(|error| format!("seed {seed}: step {step}: {error}"))?;
+        }
         round_trips(&base, &file, &[random.pick(&STARTS)]).map_err(|error| format!("seed {seed}: {error}"))?;
     }
     Ok(())

@@ -28,6 +28,7 @@ pub(super) fn read(kind: Kind, word: &str) -> Result<Item, String> {
                 .map_err(|_| format!("`{}` is not {}", shortened(word), kind.words()))?,
         ),
         Kind::Solids => return Err("solids are given by --set body.solids=[…]".to_owned()),
+        Kind::Steps => return Err("steps are given by --set step=[…]".to_owned()),
     };
     Ok(value.into())
 }

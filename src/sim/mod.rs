@@ -6,6 +6,7 @@ mod cloud;
 mod flips;
 mod history;
 mod simulation;
+mod slowing;
 #[cfg(test)]
 mod tests;
 
@@ -14,3 +15,4 @@ pub use cloud::Cloud;
 pub use flips::FlipWatch;
 pub use history::{Errors, History, Sample};
 pub use simulation::{Runner, Simulation};
+pub use slowing::Slowing;
