@@ -5,6 +5,7 @@ use glam::Vec3;
 use super::{Context, body};
 use crate::frame::{Color, Dot, Note, Pane};
 use crate::physics::Motion;
+use crate::scene;
 
 /// Largest and smallest dot (points), and what comes between: this over the root of their number.
 const LARGEST: f32 = 5.0;
@@ -21,7 +22,7 @@ pub(super) fn points(context: &Context<'_>, pane: &mut Pane) {
         return;
     }
     if simulation.energy_loss() > 0.0 {
-        return knows_no_loss(pane, context.palette.ink, "the cloud of starts knows no energy loss");
+        return caption(pane, context.palette.ink, "the cloud of starts knows no energy loss");
     }
     // The more there are, the smaller each.
     let size = (GROUND / (context.scene.cloud.count as f32).sqrt()).clamp(SMALLEST, LARGEST);
@@ -31,6 +32,20 @@ pub(super) fn points(context: &Context<'_>, pane: &mut Pane) {
         taken.take(position).then_some(Dot { position, size, color: context.palette.axes[axis] })
     });
     pane.dots.extend(dots);
+    caption(pane, context.palette.ink, &said(&context.scene.cloud));
+}
+
+/// What the cloud is, in words.
+fn said(cloud: &scene::Cloud) -> String {
+    let axes = match cloud.axes[..] {
+        [one] => format!("axis {one}"),
+        [one, other] => format!("axis {one} or {other}"),
+        _ => "axis 1, 2 or 3".to_owned(),
+    };
+    // Of degrees that were radians, without the last digits.
+    let spread = (cloud.spread.to_degrees() * 1e6).round() / 1e6;
+    let starts = if cloud.count == 1 { "start" } else { "starts" };
+    format!("{} {starts} within {spread}° of {axes}, all exact", cloud.count)
 }
 
 /// Cells of the sphere, smaller than a dot: of those in one cell only the first is drawn, for it hides the others.
@@ -81,7 +96,7 @@ pub(super) fn bodies(context: &Context<'_>, pane: &mut Pane) {
     }
 }
 
-/// What stands in the place of something that knows no energy loss, where some is lost.
-pub(super) fn knows_no_loss(pane: &mut Pane, ink: Color, text: &str) {
+/// A line of words about something in the pane: what it is, or that it knows no energy loss where some is lost.
+pub(super) fn caption(pane: &mut Pane, ink: Color, text: &str) {
     pane.notes.push(Note { text: text.to_owned(), size: 17.0, color: ink, swatch: None });
 }

@@ -2,61 +2,64 @@
 //!
 //! On each path they are evenly apart in time, so that they crowd where M is slow. They move with the simulated time, by the exact motion.
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
 use super::{Context, cloud, level_sets};
 use crate::frame::{Color, Line, Pane};
-use crate::physics::{Body, Motion, State, motion, period, poinsot, so3};
+use crate::physics::{Motion, State, motion, period, poinsot, so3};
 
-/// Arrowheads on a path that closes.
+/// Arrowheads on a path that closes, where it keeps away from the middle axis; and most that there may be.
 const HEADS: u32 = 8;
-/// Arrowheads on either half of a branch of the separatrix, how far apart in e-folds of the growth there, and how near to its ends the last are seen.
-const BRANCH_HEADS: i32 = 3;
-const E_FOLDS: f64 = 1.3;
-const NEAREST: f32 = 0.05;
-/// From the middle of an arrowhead to its tip, to its tail, and to either side.
-const TIP: f32 = 0.034;
-const TAIL: f32 = 0.026;
-const SIDE: f32 = 0.027;
+const MOST: f64 = 512.0;
+/// How far apart in time they are beside the middle axis at most, in e-folds of the growth there.
+const E_FOLDS: f64 = 1.0;
+/// How near to an end of the middle axis, as `1 − |cos|`, arrowheads are not seen: so many crowd there. They fade over as much again.
+const NEAREST: f32 = 0.015;
+/// Momentum that runs slower than this part of the fastest stands still: two moments are equal, and the path is none.
+const SLOWEST: f64 = 1e-9;
+/// From the middle of an arrowhead to its tip, to its tail, and to either side; and how much larger those of M's own path are.
+const TIP: f32 = 0.040;
+const TAIL: f32 = 0.031;
+const SIDE: f32 = 0.032;
+const OWN: f32 = 1.5;
+/// Round a small ring they are smaller: this for each unit of its radius, down to the smallest.
+const SIZE_OF_RADIUS: f32 = 4.0;
+const SMALLEST: f32 = 0.4;
 
 pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     let simulation = context.simulation;
     let (body, start, time) = (simulation.body(), simulation.start(), simulation.time());
     let Some(now) = context.unit_momentum() else { return };
     if simulation.energy_loss() > 0.0 {
-        return cloud::knows_no_loss(pane, context.palette.ink, "the flow is drawn without energy loss only");
+        return cloud::caption(pane, context.palette.ink, "the flow is drawn without energy loss only");
     }
     let ell = so3::norm(start.body_momentum);
     let quiet = context.palette.ink.alpha(0.75);
+    let state = |momentum: DVec3| State::new(body, start.world_from_body, body.angular_velocity(momentum));
     for momentum in level_sets::momenta(body) {
         // The same path round the other end of the axis is run through the other way.
         for sign in [1.0, -1.0] {
             let momentum = body.body_from_principal() * momentum * (sign * ell);
-            let state = State::new(body, start.world_from_body, body.angular_velocity(momentum));
-            heads(context, pane, &state, time, quiet);
+            heads(context, pane, &state(momentum), time, (quiet, 1.0));
         }
     }
     branches(context, pane, ell, context.palette.separatrix);
-    // The path of M itself, of which M is the first: on from where it is now.
-    let momentum = now * ell;
-    let state = State::new(body, start.world_from_body, body.angular_velocity(momentum));
-    if let Some(period) = period::period_of(body, &state) {
-        let exact = Motion::new(body, &state);
-        for n in 1..HEADS {
-            let at = exact.momentum(period.time * f64::from(n) / f64::from(HEADS));
-            head(context, pane, body, at, context.palette.polhode, 1.0);
-        }
-    }
+    // The path of M itself: M runs ahead of the first of them.
+    heads(context, pane, &state(now * ell), 0.0, (context.palette.polhode, OWN));
 }
 
-/// Those of a path that closes, at a time (s).
-fn heads(context: &Context<'_>, pane: &mut Pane, start: &State, time: f64, color: Color) {
+/// Those of a path that closes, at a time (s), evenly apart in time.
+fn heads(context: &Context<'_>, pane: &mut Pane, start: &State, time: f64, (color, size): (Color, f32)) {
     let body = context.simulation.body();
     let Some(period) = period::period_of(body, start) else { return };
     let exact = Motion::new(body, start);
-    for n in 0..HEADS {
-        let at = exact.momentum(time + period.time * f64::from(n) / f64::from(HEADS));
-        head(context, pane, body, at, color, 1.0);
+    let folds = period.time * poinsot::growth_rate(body, so3::norm(start.body_momentum));
+    let count = (folds / E_FOLDS).ceil().clamp(f64::from(HEADS), MOST);
+    // Half a space on, M itself is not covered by one.
+    for n in 0..count as u32 {
+        let at = exact.momentum(time + period.time * (f64::from(n) + 0.5) / count);
+        let radius = context.principal(period.axis).cross(context.body_momentum(at)).length();
+        head(context, pane, at, (color, (radius * SIZE_OF_RADIUS).max(SMALLEST).min(size)));
     }
 }
 
@@ -69,25 +72,29 @@ fn branches(context: &Context<'_>, pane: &mut Pane, ell: f64, color: Color) {
     }
     let spacing = E_FOLDS / rate;
     let first = context.simulation.time().rem_euclid(spacing);
-    for n in -BRANCH_HEADS - 1..=BRANCH_HEADS {
+    // From 1 − tanh to NEAREST.
+    let each_way = (0.5 * f64::from(2.0 / NEAREST).ln() / E_FOLDS).ceil() as i32;
+    for n in -each_way - 1..=each_way {
         let Some(momenta) = period::separatrix_at(body, ell, first + spacing * f64::from(n)) else { return };
         for momentum in momenta {
-            // They fade where they come out and go in.
-            let aside = 1.0 - context.body_momentum(momentum).y.abs();
-            head(context, pane, body, momentum, color, ((aside - NEAREST) / NEAREST).clamp(0.0, 1.0));
+            head(context, pane, momentum, (color, 1.0));
         }
     }
 }
 
-/// An arrowhead on the sphere at a momentum, along its rate.
-fn head(context: &Context<'_>, pane: &mut Pane, body: &Body, momentum: DVec3, color: Color, strength: f32) {
-    let at = context.body_momentum(momentum);
-    let along = context.principal(motion::momentum_rate(body, momentum).normalize_or_zero());
-    if strength <= 0.0 || along == Vec3::ZERO || !at.is_finite() {
+/// An arrowhead on the sphere at a momentum, along its rate, in this colour and so much larger.
+fn head(context: &Context<'_>, pane: &mut Pane, momentum: DVec3, (color, size): (Color, f32)) {
+    let body = context.simulation.body();
+    let (at, rate) = (context.body_momentum(momentum), motion::momentum_rate(body, momentum));
+    let moments = body.principal_moments();
+    let fastest = momentum.length_squared() * (moments.x.recip() - moments.z.recip());
+    let strength = ((1.0 - at.y.abs() - NEAREST) / NEAREST).clamp(0.0, 1.0);
+    if strength <= 0.0 || rate.length() <= SLOWEST * fastest || !at.is_finite() {
         return;
     }
+    let along = context.principal(rate.normalize_or_zero());
     let aside = at.cross(along);
     let corners = [aside * SIDE - along * TAIL, along * TIP, aside * -SIDE - along * TAIL];
-    let points = corners.map(|corner| (at + corner).normalize());
-    pane.lines.push(Line::new(points, 2.4, color.fade(strength)).through(0.3));
+    let points = corners.map(|corner| (at + corner * size).normalize());
+    pane.lines.push(Line::new(points, 2.4 * size.max(0.7), color.fade(strength)).through(0.3));
 }

@@ -22,7 +22,7 @@ const SIZE: f32 = 17.0;
 fn period(context: &Context<'_>, pane: &mut Pane) -> Option<Period> {
     context.unit_momentum()?;
     if context.simulation.energy_loss() > 0.0 {
-        cloud::knows_no_loss(pane, context.palette.ink, "with energy loss M never comes back");
+        cloud::caption(pane, context.palette.ink, "with energy loss M never comes back");
         return None;
     }
     let period = period_of(context.simulation.body(), context.simulation.state());
@@ -102,12 +102,18 @@ pub(super) fn turn(context: &Context<'_>, pane: &mut Pane) {
     sector(pane, floor, start, rest as f32, context.palette.polhode.alpha(0.18));
     let side = (first + second).truncate();
     pane.labels.push(Label::new(arc(0.5), side, "Δψ", new, labels::FLOOR));
+    let marks = [(first, format!("axis {} at first", axis + 1), old), (second, "after T".to_owned(), new)];
+    for (direction, text, color) in marks {
+        pane.labels.push(Label::new(floor + direction * REACH, direction.truncate(), &text, color, labels::FLOOR));
+    }
     note(context, pane, &format!("M comes round in T = {:.3} {}", period.time, context.settings.time_unit.sign()));
-    let turns = if whole == 0.0 { String::new() } else { format!("{whole:.0} turns and ") };
-    let turns = if whole == 1.0 { "1 turn and ".to_owned() } else { turns };
-    let text = format!("then it has turned about L by Δψ = 2KT/ℓ − Λ = {turns}{:.1}°", rest.to_degrees());
+    let turns = match whole as i64 {
+        0 => String::new(),
+        1 => "1 turn and ".to_owned(),
+        whole => format!("{whole} turns and "),
+    };
+    let text = format!("by then turned about L by Δψ = 2KT/ℓ − Λ = {turns}{:.1}°", rest.to_degrees());
     note(context, pane, &text);
-    note(context, pane, &format!("on the floor: axis {} at the start, and after T", axis + 1));
 }
 
 /// Where a principal axis, from 0, points in the picture.
