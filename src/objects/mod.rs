@@ -20,10 +20,12 @@ mod level_sets;
 mod mesh;
 mod notes;
 mod polhode;
+mod rings;
 mod separatrix;
 mod surfaces;
 mod theme;
 mod tip;
+mod way;
 mod vectors;
 
 use Space::{Momentum, World};
@@ -106,6 +108,24 @@ const BODY_AXES: Object = object(
 /// The axes of momentum space, whose moments have a unit.
 const AXES: Object =
     object("axes", "Principal axes", Momentum, true, axes::axes, "The principal axes through momentum space");
+/// The moments, named at the axes.
+const MOMENTS: Object = object(
+    "moments",
+    "Moments of inertia",
+    Momentum,
+    true,
+    axes::moments,
+    "The moments of inertia beside the numbers of the axes",
+);
+/// L's arrow, of which the captions speak.
+const MOMENTUM: Object = object(
+    "momentum",
+    "Angular momentum L",
+    World,
+    true,
+    vectors::momentum,
+    "The arrow of the angular momentum, which never moves",
+);
 /// The tip of M, which can be dragged where it is drawn.
 pub const TIP: Object = object("tip", "Tip of M", Momentum, true, tip::tip, "The tip of M, and the arrow to it");
 /// The words over the world, under which there must be room.
@@ -144,6 +164,14 @@ pub static OBJECTS: &[Object] = &[
         true,
         floor::plane,
         "The floor: the plane across L on which the ellipsoid of inertia rolls",
+    ),
+    object(
+        "way",
+        "Way round it turns",
+        World,
+        false,
+        way::draw,
+        "A bent arrow on the floor: the way round the body turns, which never changes",
     ),
     object(
         "annulus",
@@ -231,14 +259,7 @@ pub static OBJECTS: &[Object] = &[
         ghosts::bodies,
         "The bodies of the methods that are compared, seen through",
     ),
-    object(
-        "momentum",
-        "Angular momentum L",
-        World,
-        true,
-        vectors::momentum,
-        "The arrow of the angular momentum, which never moves",
-    ),
+    MOMENTUM,
     object(
         "omega",
         "Angular velocity ω",
@@ -248,6 +269,14 @@ pub static OBJECTS: &[Object] = &[
         "The arrow of the angular velocity, which swings about L",
     ),
     WORLD_NOTES,
+    object(
+        "flip-notes",
+        "Words about the flip",
+        World,
+        false,
+        notes::flip,
+        "What flips and what stays, in two lines over the world",
+    ),
     object(
         "sphere",
         "Sphere |M| = |L|",
@@ -265,6 +294,7 @@ pub static OBJECTS: &[Object] = &[
         "The ellipsoid of all momenta of the same energy",
     ),
     AXES,
+    MOMENTS,
     object(
         "level-sets",
         "Levels of the energy",
@@ -272,6 +302,14 @@ pub static OBJECTS: &[Object] = &[
         true,
         level_sets::draw,
         "The paths of M at other energies, on the sphere",
+    ),
+    object(
+        "rings",
+        "Rings round axes 1 and 3",
+        Momentum,
+        false,
+        rings::draw,
+        "The paths of M at other energies, each in the colour of the axis that it circles",
     ),
     object(
         "separatrix",
