@@ -9,6 +9,8 @@ use dzhanibekov::scene::{DEFAULT_PRESET, Edit, Edits, Scene, SceneError, SceneFi
 
 use super::failure::{Failure, say};
 use super::flags::{SceneFlags, ViewFlags as ViewArguments};
+#[cfg(feature = "headless")]
+use super::size::SizeArguments;
 
 /// The scene and what is said over it.
 #[derive(Args, Debug)]
@@ -24,6 +26,7 @@ pub(super) struct SceneArguments {
 }
 
 /// Everything that is said of a picture in a file, but its name.
+#[cfg(feature = "headless")]
 #[derive(Args, Debug)]
 pub(super) struct PictureArguments {
     #[command(flatten)]
@@ -36,9 +39,8 @@ pub(super) struct PictureArguments {
     /// Step of the scene, counted from 1; the scene as a whole where left out
     #[arg(long, value_name = "N", allow_hyphen_values = true, help_heading = "Picture")]
     scene_step: Option<usize>,
-    /// Size in pixels
-    #[arg(long, value_name = "WxH", default_value = "1280x720", allow_hyphen_values = true, value_parser = size, help_heading = "Picture")]
-    pub(super) size: [u32; 2],
+    #[command(flatten)]
+    pub(super) size: SizeArguments,
     /// No background: transparent where nothing is drawn
     #[arg(long, help_heading = "Picture")]
     pub(super) transparent: bool,
@@ -73,7 +75,7 @@ pub(super) struct ReportArguments {
     pub(super) quiet: bool,
 }
 
-#[cfg(feature = "picture")]
+#[cfg(feature = "headless")]
 impl PictureArguments {
     /// The time (s) shown: as said here, else as a link says, else as the scene's step does.
     pub(super) fn time(&self, scene: &Scene) -> f64 {

@@ -36,7 +36,7 @@ pub(super) struct ShotArguments {
     output: PathBuf,
     /// With the window's panel in the picture
     #[cfg(feature = "window")]
-    #[arg(long, help_heading = "Picture", conflicts_with = "transparent")]
+    #[arg(long, help_heading = "Picture", conflicts_with_all = ["transparent", "width", "height"])]
     panel: bool,
 }
 
@@ -64,9 +64,10 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
         if let Some((_, command)) = notes.last_mut() {
             command.push_str(" --panel");
         }
-        let pixels = dzhanibekov::app::with_panels(&gpu, scene, time, options.size)
+        let pixels = dzhanibekov::app::with_panels(&gpu, scene, time, options.size.pixels)
             .map_err(|error| Failure::could_not(error.to_string()))?;
-        let bytes = render::png::encode(&pixels, false, &notes).map_err(HeadlessError::from)?;
+        let bytes = render::png::encode_marked(&pixels, false, &notes, options.size.pixels_per_metre())
+            .map_err(HeadlessError::from)?;
         return Ok(files::write(&arguments.output, &bytes)?);
     }
     let bytes = draw(&gpu, &scene, &simulation, &options(picture), &notes(picture, &scene, &words, time))?;
@@ -102,7 +103,7 @@ pub(super) fn followed(scene: &Scene) -> impl Iterator<Item = &&'static Method> 
 }
 
 pub(super) fn options(picture: &PictureArguments) -> ShotOptions {
-    ShotOptions { size: picture.size, transparent: picture.transparent, adapter: picture.adapter.clone() }
+    ShotOptions { size: picture.size.get(), transparent: picture.transparent, adapter: picture.adapter.clone() }
 }
 
 /// Opens what the picture is drawn on, and says once what is worth saying of the choice.
@@ -119,8 +120,7 @@ pub(super) fn notes(picture: &PictureArguments, scene: &Scene, words: &[String],
     let mut command = vec!["dzhanibekov".to_owned(), "shot".to_owned()];
     command.extend_from_slice(words);
     command.extend(["--time".to_owned(), short(time)]);
-    let [width, height] = picture.size;
-    command.extend(["--size".to_owned(), format!("{width}x{height}")]);
+    command.extend(picture.size.words());
     if picture.transparent {
         command.push("--transparent".to_owned());
     }

@@ -4,13 +4,17 @@ mod apng;
 mod fault;
 mod gif;
 mod movie;
+mod paper;
 mod record;
+mod rgba;
 mod shot;
 mod y4m;
 
 pub use apng::Apng;
 pub use gif::Gif;
 pub use movie::{Movie, MovieError};
+pub use paper::{Length, POINT, PictureSize, THINNEST_LINE};
 pub use record::{FrameRate, Recording, record};
+pub use rgba::Rgba;
 pub use shot::{HeadlessError, ShotOptions, Studio, shot};
 pub use y4m::Y4m;

@@ -30,6 +30,8 @@ pub struct Context<'a> {
     pub settings: &'a scene::View,
     /// The colours.
     pub palette: Palette,
+    /// Factor on type and lines, besides the one that the settings say.
+    pub(super) type_scale: f32,
     /// Turns the world so that the angular momentum points up (z).
     picture_from_world: DMat3,
     /// Units of the picture a metre.
@@ -61,17 +63,25 @@ impl<'a> Context<'a> {
         let turn = TAU / so3::norm(scene.start.body_angular_velocity(&scene.body));
         let flip = poinsot::flip_period_of(&scene.body, &scene.start);
         let period = flip.unwrap_or(2.0 * turn).min(20.0 * turn);
+        // Where energy is lost, ω's tip comes down: with Poinsot's construction the plane that is rolled on comes up likewise.
+        let rolls = shows_any(settings, |role| matches!(role, Role::RollingEllipsoid | Role::OnPlane));
+        let left = if simulation.energy_loss() > 0.0 && rolls && energy > 0.0 {
+            simulation.state().energy(&scene.body) / energy
+        } else {
+            1.0
+        };
         let reciprocal = |value: f64| if value.is_normal() { value.recip() } else { 0.0 };
         Self {
             scene,
             simulation,
             settings,
             palette: *palette,
+            type_scale: 1.0,
             picture_from_world: upright(momentum, momentum_length),
             per_metre: BODY_RADIUS * reciprocal(radius),
             momentum_length,
             per_radian: plane_height * reciprocal(height),
-            plane_height,
+            plane_height: plane_height * left,
             // Where the sphere |M| = |L| is drawn too, L ends on it.
             momentum_arrow: if shows_any(settings, |role| role == Role::MomentumSphere) { 1.0 } else { MOMENTUM_ARROW },
             period: if period.is_finite() { period } else { 1.0 },

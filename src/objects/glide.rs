@@ -121,7 +121,7 @@ mod tests {
         let (simulation, cameras) = (Simulation::new(&to), Cameras::new(&to.view));
         let frame = |part| {
             let glide = Glide { from: &from.view, part };
-            build_frame_on_the_way(&to, &simulation, &cameras, 1.5, Some(glide))
+            build_frame_on_the_way(&to, &simulation, &cameras, 1.5, 1.0, Some(glide))
         };
         assert_eq!(frame(1.0), build_frame(&to, &simulation, &cameras, 1.5));
         // At the beginning all that comes is there and not seen; the body is as it was.

@@ -25,8 +25,9 @@ mod separatrix;
 mod surfaces;
 mod theme;
 mod tip;
-mod way;
+mod track;
 mod vectors;
+mod way;
 
 use Space::{Momentum, World};
 use glam::Vec2;
@@ -336,6 +337,14 @@ pub static OBJECTS: &[Object] = &[
         ghosts::marks,
         "The tips of M of the methods that are compared",
     ),
+    object(
+        "track",
+        "Way of M since the start",
+        Momentum,
+        false,
+        track::draw,
+        "The way of M since the start: where energy is lost a spiral from ring to ring",
+    ),
     object("tail", "Tail of M", Momentum, true, tip::tail, "The way that the tip of M has just come"),
     TIP,
     MOMENTUM_NOTES,
@@ -395,7 +404,19 @@ fn camera_of(context: &Context<'_>, cameras: &Cameras, space: Space) -> Camera {
 /// The picture of a scene as its simulation is now, in a picture of this aspect (width over height).
 #[must_use]
 pub fn build_frame(scene: &Scene, simulation: &Simulation, cameras: &Cameras, aspect: f32) -> Frame {
-    build_frame_on_the_way(scene, simulation, cameras, aspect, None)
+    build_frame_scaled(scene, simulation, cameras, aspect, 1.0)
+}
+
+/// As [`build_frame`], with type and lines larger by a factor.
+#[must_use]
+pub fn build_frame_scaled(
+    scene: &Scene,
+    simulation: &Simulation,
+    cameras: &Cameras,
+    aspect: f32,
+    type_scale: f32,
+) -> Frame {
+    build_frame_on_the_way(scene, simulation, cameras, aspect, type_scale, None)
 }
 
 /// The same, on the way from another view.
@@ -405,11 +426,13 @@ pub fn build_frame_on_the_way(
     simulation: &Simulation,
     cameras: &Cameras,
     aspect: f32,
+    type_scale: f32,
     glide: Option<Glide<'_>>,
 ) -> Frame {
     let settings = &scene.view;
     let palette = Palette::new(settings.theme);
-    let context = Context::new(scene, simulation, &palette);
+    let mut context = Context::new(scene, simulation, &palette);
+    context.type_scale = type_scale;
     let glide = glide.unwrap_or(Glide { from: settings, part: 1.0 });
     let panes = glide
         .areas(settings.layout, aspect)
@@ -434,7 +457,12 @@ pub fn build_frame_on_the_way(
             pane
         })
         .collect();
-    Frame { background: palette.background, transparent: false, font_scale: settings.font_scale as f32, panes }
+    Frame {
+        background: palette.background,
+        transparent: false,
+        font_scale: settings.font_scale as f32 * type_scale,
+        panes,
+    }
 }
 
 #[cfg(test)]

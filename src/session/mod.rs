@@ -194,7 +194,7 @@ impl Session {
             Some(origin) if part < 1.0 => {
                 let cameras = Cameras::between(&origin.cameras, &self.cameras, part);
                 let glide = Glide { from: &origin.view, part };
-                objects::build_frame_on_the_way(&self.scene, &self.sim, &cameras, aspect, Some(glide))
+                objects::build_frame_on_the_way(&self.scene, &self.sim, &cameras, aspect, 1.0, Some(glide))
             }
             _ => objects::build_frame(&self.scene, &self.sim, &self.cameras, aspect),
         }
@@ -343,6 +343,7 @@ impl Session {
             Command::Poke => self.poke(),
             Command::SetMethod(method) => self.edit(|file| file.motion.method = Some(method.to_owned())),
             Command::SetStep(step) => self.edit(|file| file.motion.step = Some(step)),
+            Command::SetEnergyLoss(loss) => self.set_energy_loss(loss),
             Command::Compare { method, is_on } => self.compare(method, is_on),
             Command::Hover(at) => self.hover(at),
             Command::Pick(at) => self.pick(at),
