@@ -3,7 +3,7 @@
 
 use glam::{Vec2, Vec3};
 
-use super::{Context, labels};
+use super::{Context, body_axes, labels};
 use crate::frame::{Color, Label, LabelStyle, Line, Mark, Marker, Pane};
 
 /// How far the axes stand out of the sphere.
@@ -18,7 +18,7 @@ pub(super) fn axes(context: &Context<'_>, pane: &mut Pane) {
         }
         // With its moment it is named there.
         if !context.shows(&super::MOMENTS) {
-            name(pane, number, ["1", "2", "3"][number], color, labels::AXIS);
+            name(pane, number, body_axes::NUMBERS[number], color, labels::AXIS);
         }
     }
 }

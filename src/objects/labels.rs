@@ -10,6 +10,8 @@ pub(super) const FIXED_VECTOR: LabelStyle = LabelStyle { priority: 11, moves: fa
 pub(super) const TIP: LabelStyle = LabelStyle { size: 26.0, gap: 14.0, priority: 9, moves: true };
 /// The number of an axis, as it turns with the body.
 pub(super) const NUMBER: LabelStyle = LabelStyle { size: 24.0, gap: 5.0, priority: 4, moves: true };
+/// An end of it that has a name, off the arrow that may stand there.
+pub(super) const END: LabelStyle = LabelStyle { size: 22.0, gap: 12.0, ..NUMBER };
 /// The number of an axis that stands still.
 pub(super) const AXIS: LabelStyle = LabelStyle { moves: false, ..NUMBER };
 /// The moment of an axis that stands still.

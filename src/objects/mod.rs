@@ -97,6 +97,24 @@ const fn object(
 
 /// The body, on which its axes are numbered.
 const BODY: Object = object("body", "Body", World, true, body::draw, "The body itself, its faces and edges");
+/// The numbers of the axes, at the ends that are not named otherwise.
+const AXIS_NAMES: Object = object(
+    "axis-names",
+    "Numbers of the axes",
+    World,
+    true,
+    body_axes::names,
+    "The numbers 1, 2, 3 at the ends of the body's axes",
+);
+/// The ends of the axis that it was started about.
+const ENDS: Object = object(
+    "ends",
+    "Top and bottom",
+    World,
+    false,
+    body_axes::ends,
+    "Which end of the axis of the spin was up at the start, and which down",
+);
 /// The axes that turn with it, which have their own numbers.
 const BODY_AXES: Object = object(
     "body-axes",
@@ -243,14 +261,8 @@ pub static OBJECTS: &[Object] = &[
         "The path of the tip of the axis of the largest moment",
     ),
     BODY,
-    object(
-        "axis-names",
-        "Numbers of the axes",
-        World,
-        true,
-        body_axes::names,
-        "The numbers 1, 2, 3 at the ends of the body's axes",
-    ),
+    AXIS_NAMES,
+    ENDS,
     BODY_AXES,
     object(
         "ghosts",

@@ -1,14 +1,17 @@
 //! The words of a pane: from where it is seen, and which method is drawn how.
 
-use super::{Context, Space, ghosts};
+use super::{Context, Space, body_axes, ghosts};
 use crate::frame::{Color, Dash, Mark, Note, Pane, Swatch};
+use crate::physics::poinsot;
 use crate::scene::Layout;
 
 const CAPTION_SIZE: f32 = 20.0;
 /// Of the rows of the legend, which may be many.
 const LEGEND_SIZE: f32 = 17.0;
 /// How far along the vertical an axis points that is upright.
-const UPRIGHT: f64 = 0.7;
+const UPRIGHT: f32 = 0.7;
+/// The middle axis, counted from 0.
+const MIDDLE: usize = 1;
 /// Columns that it mostly has in half a picture, and the height of a row as a part of a pane's.
 const COLUMNS: usize = 2;
 const ROW_HEIGHT: f32 = 0.04;
@@ -27,21 +30,22 @@ pub(super) fn world(context: &Context<'_>, pane: &mut Pane) {
     legend(context, pane);
 }
 
-/// What flips and what stays.
+/// What flips and what stays, of a body that does.
 pub(super) fn flip(context: &Context<'_>, pane: &mut Pane) {
-    let Some(now) = context.unit_momentum() else { return };
-    let axes = context.scene.body.body_from_principal().transpose();
-    let start = axes * context.scene.start.body_momentum;
-    let axis = start.abs().max_position();
+    let Some(now) = context.unit_momentum().map(|now| context.principal(now)) else { return };
+    let axis = body_axes::started_about(context);
+    let flips = poinsot::flip_period_of(&context.scene.body, &context.scene.start).is_some();
+    if axis != MIDDLE || !flips || context.simulation.energy_loss() > 0.0 {
+        return;
+    }
     // L points up, so that M along an axis is how far that axis points up.
-    let upright = (axes * now)[axis] * start[axis].signum();
+    let upright = now[axis] * context.body_momentum(context.scene.start.body_momentum)[axis].signum();
     let way = match upright {
         upright if upright > UPRIGHT => "as at the start",
         upright if upright < -UPRIGHT => "turned over",
         _ => "turning over",
     };
-    let color = context.palette.axes[axis];
-    note(pane, format!("flips: the body – now {way}"), color);
+    note(pane, format!("flips: the body – now {way}"), context.palette.axes[axis]);
     let stays = if context.shows(&super::MOMENTUM) { "stays: the arrow L" } else { "stays: the way round it turns" };
     note(pane, stays.to_owned(), context.palette.ink);
 }
