@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 
-use super::{Context, cloud, level_sets};
+use super::{Context, cloud, level_sets, rings};
 use crate::frame::{Color, Line, Pane};
 use crate::physics::{Motion, State, motion, period, poinsot, so3};
 
@@ -36,7 +36,8 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     let ell = so3::norm(start.body_momentum);
     let quiet = context.palette.ink.alpha(0.75);
     let state = |momentum: DVec3| State::new(body, start.world_from_body, body.angular_velocity(momentum));
-    for momentum in level_sets::momenta(body) {
+    let paths = if context.shows(&super::RINGS) { rings::RINGS } else { level_sets::PATHS };
+    for momentum in level_sets::momenta(body, paths) {
         // The same path round the other end of the axis is run through the other way.
         for sign in [1.0, -1.0] {
             let momentum = body.body_from_principal() * momentum * (sign * ell);

@@ -22,6 +22,7 @@ mod level_sets;
 mod mesh;
 mod notes;
 mod polhode;
+mod rings;
 mod separatrix;
 mod surfaces;
 mod theme;
@@ -29,6 +30,7 @@ mod tip;
 mod track;
 mod turn;
 mod vectors;
+mod way;
 
 use Space::{Momentum, World};
 use glam::Vec2;
@@ -98,6 +100,24 @@ const fn object(
 
 /// The body, on which its axes are numbered.
 const BODY: Object = object("body", "Body", World, true, body::draw, "The body itself, its faces and edges");
+/// The numbers of the axes, at the ends that are not named otherwise.
+const AXIS_NAMES: Object = object(
+    "axis-names",
+    "Numbers of the axes",
+    World,
+    true,
+    body_axes::names,
+    "The numbers 1, 2, 3 at the ends of the body's axes",
+);
+/// The ends of the axis that it was started about.
+const ENDS: Object = object(
+    "ends",
+    "Top and bottom",
+    World,
+    false,
+    body_axes::ends,
+    "Which end of the axis of the spin was up at the start, and which down",
+);
 /// The axes that turn with it, which have their own numbers.
 const BODY_AXES: Object = object(
     "body-axes",
@@ -110,6 +130,33 @@ const BODY_AXES: Object = object(
 /// The axes of momentum space, whose moments have a unit.
 const AXES: Object =
     object("axes", "Principal axes", Momentum, true, axes::axes, "The principal axes through momentum space");
+/// The moments, named at the axes.
+const MOMENTS: Object = object(
+    "moments",
+    "Moments of inertia",
+    Momentum,
+    true,
+    axes::moments,
+    "The moments of inertia beside the numbers of the axes",
+);
+/// L's arrow, of which the captions speak.
+const MOMENTUM: Object = object(
+    "momentum",
+    "Angular momentum L",
+    World,
+    true,
+    vectors::momentum,
+    "The arrow of the angular momentum, which never moves",
+);
+/// Paths of their own, that the flow runs along where they are shown.
+const RINGS: Object = object(
+    "rings",
+    "Rings round axes 1 and 3",
+    Momentum,
+    false,
+    rings::draw,
+    "The paths of M at other energies, each in the colour of the axis that it circles",
+);
 /// The tip of M, which can be dragged where it is drawn.
 pub const TIP: Object = object("tip", "Tip of M", Momentum, true, tip::tip, "The tip of M, and the arrow to it");
 /// The words over the world, under which there must be room.
@@ -148,6 +195,14 @@ pub static OBJECTS: &[Object] = &[
         true,
         floor::plane,
         "The floor: the plane across L on which the ellipsoid of inertia rolls",
+    ),
+    object(
+        "way",
+        "Way round it turns",
+        World,
+        false,
+        way::draw,
+        "A bent arrow on the floor: the way round the body turns, which never changes",
     ),
     object(
         "annulus",
@@ -218,14 +273,8 @@ pub static OBJECTS: &[Object] = &[
         "The path of the tip of the axis of the largest moment",
     ),
     BODY,
-    object(
-        "axis-names",
-        "Numbers of the axes",
-        World,
-        true,
-        body_axes::names,
-        "The numbers 1, 2, 3 at the ends of the body's axes",
-    ),
+    AXIS_NAMES,
+    ENDS,
     BODY_AXES,
     object(
         "ghosts",
@@ -251,14 +300,7 @@ pub static OBJECTS: &[Object] = &[
         turn::turn,
         "The angle by which the body has turned about L when M has come round once",
     ),
-    object(
-        "momentum",
-        "Angular momentum L",
-        World,
-        true,
-        vectors::momentum,
-        "The arrow of the angular momentum, which never moves",
-    ),
+    MOMENTUM,
     object(
         "omega",
         "Angular velocity ω",
@@ -268,6 +310,14 @@ pub static OBJECTS: &[Object] = &[
         "The arrow of the angular velocity, which swings about L",
     ),
     WORLD_NOTES,
+    object(
+        "flip-notes",
+        "Words about the flip",
+        World,
+        false,
+        notes::flip,
+        "What flips and what stays, in two lines over the world",
+    ),
     object(
         "sphere",
         "Sphere |M| = |L|",
@@ -285,6 +335,7 @@ pub static OBJECTS: &[Object] = &[
         "The ellipsoid of all momenta of the same energy",
     ),
     AXES,
+    MOMENTS,
     object(
         "level-sets",
         "Levels of the energy",
@@ -293,6 +344,7 @@ pub static OBJECTS: &[Object] = &[
         level_sets::draw,
         "The paths of M at other energies, on the sphere",
     ),
+    RINGS,
     object(
         "separatrix",
         "Separatrix",
