@@ -2,6 +2,7 @@
 
 use super::compose::Compose;
 use super::gpu::Gpu;
+use super::part::Part;
 use super::readback::Canvas;
 use super::renderer::{Renderer, point_size};
 use crate::frame::Frame;
@@ -30,6 +31,17 @@ impl Painter {
     pub fn draw_on(&mut self, gpu: &Gpu, canvas: &Canvas, frame: &Frame) {
         let size = canvas.size();
         self.renderer.render(gpu, frame, canvas.view(), size, point_size(size));
+    }
+
+    /// Takes a frame to the device, to be drawn in bands of a picture of this size.
+    pub fn prepare(&mut self, gpu: &Gpu, frame: &Frame, size: [u32; 2]) {
+        self.renderer.prepare(gpu, frame, size, point_size(size));
+    }
+
+    /// Draws the band of the prepared picture that a canvas as wide holds, from the row `top` on. Submits the work and does
+    /// not wait for it.
+    pub fn draw_band(&mut self, gpu: &Gpu, canvas: &Canvas, top: u32) {
+        self.renderer.draw(gpu, canvas.view(), Part { low: [0, top], size: canvas.size() });
     }
 
     /// Gives the window's picture its size; true where its content is thereby lost.

@@ -31,6 +31,29 @@ pub struct Pixels {
     pub rgba: Vec<u8>,
 }
 
+impl Reading {
+    /// Waits for it, and for nothing drawn after it.
+    fn wait(&self, gpu: &Gpu) -> Result<(), GpuError> {
+        let submission_index = Some(self.submission.clone());
+        let polled = gpu.device.poll(wgpu::PollType::Wait { submission_index, timeout: None });
+        if self.has_arrived(gpu)? {
+            return Ok(());
+        }
+        let cause = polled.err().map_or_else(|| "the picture did not come back".to_owned(), |cause| cause.to_string());
+        Err(GpuError::Drawing(cause))
+    }
+
+    /// Whether the picture has arrived.
+    fn has_arrived(&self, gpu: &Gpu) -> Result<bool, GpuError> {
+        gpu.check()?;
+        match self.arrived.get() {
+            None => Ok(false),
+            Some(Err(cause)) => Err(GpuError::Drawing(cause.to_string())),
+            Some(Ok(())) => Ok(true),
+        }
+    }
+}
+
 impl Canvas {
     /// The most pixels of a picture, whatever its shape, that the device gives back in one piece.
     #[must_use]
@@ -120,12 +143,7 @@ impl Canvas {
     /// # Errors
     /// What the device has reported since the last call.
     pub fn try_read(&self, gpu: &Gpu, reading: &Reading) -> Result<Option<Pixels>, GpuError> {
-        gpu.check()?;
-        match reading.arrived.get() {
-            None => Ok(None),
-            Some(Err(cause)) => Err(GpuError::Drawing(cause.to_string())),
-            Some(Ok(())) => self.copied_out().map(Some),
-        }
+        if reading.has_arrived(gpu)? { self.copied_out().map(Some) } else { Ok(None) }
     }
 
     /// Waits for the picture that [`Self::begin_read`] asked for, and for nothing drawn after it.
@@ -133,13 +151,29 @@ impl Canvas {
     /// # Errors
     /// What the device has reported since the last call.
     pub fn finish_read(&self, gpu: &Gpu, reading: &Reading) -> Result<Pixels, GpuError> {
-        let submission_index = Some(reading.submission.clone());
-        let polled = gpu.device.poll(wgpu::PollType::Wait { submission_index, timeout: None });
-        if let Some(pixels) = self.try_read(gpu, reading)? {
-            return Ok(pixels);
-        }
-        let cause = polled.err().map_or_else(|| "the picture did not come back".to_owned(), |cause| cause.to_string());
-        Err(GpuError::Drawing(cause))
+        reading.wait(gpu)?;
+        self.copied_out()
+    }
+
+    /// Waits for the picture that [`Self::begin_read`] asked for, and hands over so many of its rows as they lie in memory.
+    ///
+    /// # Errors
+    /// What the device has reported since the last call, or what `take` returns.
+    pub fn finish_rows<E: From<GpuError>>(
+        &self,
+        gpu: &Gpu,
+        reading: &Reading,
+        rows: u32,
+        mut take: impl FnMut(&[u8]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        reading.wait(gpu)?;
+        let bytes = self.staging.get_mapped_range(..).map_err(|cause| GpuError::Drawing(cause.to_string()))?;
+        let width = self.size[0];
+        let mut rows = bytes.chunks_exact(row_bytes(width) as usize).take(rows as usize);
+        let outcome = rows.try_for_each(|row| take(&row[..4 * width as usize]));
+        drop(bytes);
+        self.staging.unmap();
+        outcome
     }
 
     /// The picture, which has arrived.
