@@ -2,10 +2,14 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
+use super::step::steps;
 use super::value::shortened;
-use super::{CameraFile, Part, PartKind, SceneFile, SpinFile, StepFile, View, ViewFile, nearest, parts};
+use super::{CameraFile, Cloud, Part, PartKind, SceneFile, SpinFile, StepFile, View, ViewFile, nearest, parts};
 use crate::physics::{
-    self, Body, BodyError, METHODS, Method, State, methods::DEFAULT_METHOD, number, so3, solids::SolidError,
+    self, Body, BodyError, METHODS, Method, State,
+    methods::{DEFAULT_METHOD, LOSS_METHOD},
+    number, so3,
+    solids::SolidError,
 };
 
 /// Step (s) of a scene that names none.
@@ -13,13 +17,13 @@ const DEFAULT_STEP: f64 = 0.001;
 /// Slowest and fastest that time runs.
 pub const SPEEDS: (f64, f64) = (1.0 / 64.0, 8.0);
 /// What is refused of the cameras.
-const WORLD_CAMERA: [&str; 4] = [
+pub(super) const WORLD_CAMERA: [&str; 4] = [
     "azimuth of the world's camera",
     "elevation of the world's camera",
     "distance of the world's camera",
     "target of the world's camera",
 ];
-const BODY_CAMERA: [&str; 4] = [
+pub(super) const BODY_CAMERA: [&str; 4] = [
     "azimuth of momentum space's camera",
     "elevation of momentum space's camera",
     "distance of momentum space's camera",
@@ -45,6 +49,10 @@ pub struct Scene {
     pub compare: Vec<&'static Method>,
     /// Step (s).
     pub step: f64,
+    /// Energy lost inside the body at constant L: `c = loss/ℓ` in `Ω_eff = Ω + c M×Ω`; 0 for none.
+    pub energy_loss: f64,
+    /// Starts close together.
+    pub cloud: Cloud,
     /// How it is looked at.
     pub view: View,
     /// The step of its telling at which it stands, counted from 0; none where it is shown as a whole.
@@ -120,18 +128,17 @@ pub enum SceneError {
         /// The nearest known name, or where to find them.
         hint: String,
     },
+    /// A method that knows no energy loss, where some is lost.
+    #[error("method `{method}` does not know the energy loss of {}: only `{LOSS_METHOD}` does, so leave the method out, or set energy_loss to 0", number(*.loss))]
+    KnowsNoLoss {
+        /// The method.
+        method: &'static str,
+        /// The loss.
+        loss: f64,
+    },
     /// Momentum or energy past the range of f64.
     #[error("angular velocity {} rad/s with this body is beyond the range of numbers: take a smaller one", number(*.0))]
     TooFast(f64),
-}
-
-/// How many steps a scene has, in words.
-fn steps(count: usize) -> String {
-    match count {
-        0 => "this scene has no steps".to_owned(),
-        1 => "this scene has one step, number 1".to_owned(),
-        count => format!("this scene has the steps 1 to {count}"),
-    }
 }
 
 impl Scene {
@@ -152,17 +159,23 @@ impl Scene {
         if let Some(step) = at.filter(|step| *step >= count) {
             return Err(SceneError::NoSuchStep { given: step.wrapping_add(1), count });
         }
-        file.steps.iter().try_for_each(check_step)?;
+        file.steps.iter().try_for_each(StepFile::check)?;
         check_view(&file.view)?;
         let (body, parts) = check_body(file)?;
         let start = check_start(file, &body)?;
-        let method = named_method(file.motion.method.as_deref().unwrap_or(DEFAULT_METHOD))?;
+        let energy_loss = not_negative("energy_loss", file.motion.energy_loss.unwrap_or(0.0))?;
+        let usual = if energy_loss > 0.0 { LOSS_METHOD } else { DEFAULT_METHOD };
+        let method = named_method(file.motion.method.as_deref().unwrap_or(usual))?;
         let mut compare = file.motion.compare.iter().map(|name| named_method(name)).collect::<Result<Vec<_>, _>>()?;
         // What is the body's own method is no ghost beside it.
         compare.retain(|other| other.name != method.name);
+        let knows_none = |method: &&&'static Method| energy_loss > 0.0 && method.name != LOSS_METHOD;
+        if let Some(other) = std::iter::once(&method).chain(&compare).find(knows_none) {
+            return Err(SceneError::KnowsNoLoss { method: other.name, loss: energy_loss });
+        }
         let step = positive("step", file.motion.step.unwrap_or(DEFAULT_STEP))?;
-        let view = check_view(&file.view_at(at))?;
-        Ok(Self { file: file.clone(), body, parts, start, method, compare, step, view, at })
+        let (cloud, view) = (Cloud::check(file)?, check_view(&file.view_at(at))?);
+        Ok(Self { file: file.clone(), body, parts, start, method, compare, step, energy_loss, cloud, view, at })
     }
 
     /// What is unusual about a scene that can all the same be run: a sentence each.
@@ -267,18 +280,6 @@ fn check_attitude(attitude: Option<[f64; 4]>) -> Result<DMat3, SceneError> {
     Ok(DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize()))
 }
 
-fn check_step(step: &StepFile) -> Result<(), SceneError> {
-    check_camera(&step.world_camera, WORLD_CAMERA)?;
-    check_camera(&step.body_camera, BODY_CAMERA)?;
-    step.time.map_or(Ok(0.0), |time| finite("time of a step", time))?;
-    let speed = step.speed.unwrap_or(1.0);
-    if !(SPEEDS.0..=SPEEDS.1).contains(&speed.abs()) {
-        let wanted = "between 1/64 and 8, with a minus to run backwards";
-        return Err(SceneError::OutOfRange { name: "speed of a step", value: speed, wanted });
-    }
-    Ok(())
-}
-
 fn check_view(view: &ViewFile) -> Result<View, SceneError> {
     let both = CameraFile {
         azimuth_deg: view.azimuth_deg,
@@ -311,7 +312,7 @@ fn check_view(view: &ViewFile) -> Result<View, SceneError> {
 }
 
 /// Checks a camera whose azimuth, elevation, distance and target have these names.
-fn check_camera(camera: &CameraFile, names: [&'static str; 4]) -> Result<(), SceneError> {
+pub(super) fn check_camera(camera: &CameraFile, names: [&'static str; 4]) -> Result<(), SceneError> {
     let [azimuth, elevation, distance, target] = names;
     for (name, value) in [(azimuth, camera.azimuth_deg), (elevation, camera.elevation_deg)] {
         value.map_or(Ok(0.0), |value| finite(name, value))?;
@@ -323,7 +324,7 @@ fn check_camera(camera: &CameraFile, names: [&'static str; 4]) -> Result<(), Sce
     Ok(())
 }
 
-fn finite(name: &'static str, value: f64) -> Result<f64, SceneError> {
+pub(super) fn finite(name: &'static str, value: f64) -> Result<f64, SceneError> {
     if value.is_finite() { Ok(value) } else { Err(SceneError::OutOfRange { name, value, wanted: "a finite number" }) }
 }
 
@@ -332,6 +333,14 @@ fn positive(name: &'static str, value: f64) -> Result<f64, SceneError> {
         Ok(value)
     } else {
         Err(SceneError::OutOfRange { name, value, wanted: "finite and above 0" })
+    }
+}
+
+fn not_negative(name: &'static str, value: f64) -> Result<f64, SceneError> {
+    if value.is_finite() && value >= 0.0 {
+        Ok(value)
+    } else {
+        Err(SceneError::OutOfRange { name, value, wanted: "finite and not negative" })
     }
 }
 
@@ -438,6 +447,37 @@ mod tests {
         assert_eq!((scene.method.name, scene.step), ("buss", 0.5));
         assert_eq!(scene.compare.iter().map(|method| method.name).collect::<Vec<_>>(), ["rk4", "lie-euler"]);
         assert_eq!(scene.file.motion.compare.len(), 3);
+        Ok(())
+    }
+
+    #[test]
+    fn losses_that_cannot_be_are_refused() {
+        for (text, sentence) in [
+            ("motion.energy_loss = -0.1", "energy_loss -0.1 is not valid: it must be finite and not negative"),
+            ("motion.energy_loss = inf", "energy_loss inf is not valid: it must be finite and not negative"),
+            (
+                "motion = { energy_loss = 0.02, method = 'closed-form' }",
+                "method `closed-form` does not know the energy loss of 0.02: only `magnus4` does, so leave the method out, or set energy_loss to 0",
+            ),
+            (
+                "motion = { energy_loss = 0.02, compare = ['magnus4', 'rk4'] }",
+                "method `rk4` does not know the energy loss of 0.02: only `magnus4` does, so leave the method out, or set energy_loss to 0",
+            ),
+        ] {
+            let said = check(text).map_or_else(|error| error.to_string(), |_| "no refusal".to_owned());
+            assert_eq!(said, sentence, "{text}");
+        }
+    }
+
+    #[test]
+    fn where_energy_is_lost_the_method_that_knows_it_follows() -> Result<(), SceneError> {
+        let scene = check("motion.energy_loss = 0.02")?;
+        assert_eq!((scene.method.name, scene.energy_loss), ("magnus4", 0.02));
+        let scene = check("motion = { energy_loss = 0.5, compare = ['magnus4'] }")?;
+        assert_eq!((scene.method.name, scene.compare.len()), ("magnus4", 0));
+        for none in ["motion = { energy_loss = 0, method = 'buss', compare = ['rk4'] }", "motion.method = 'magnus4'"] {
+            assert_eq!(check(none)?.energy_loss, 0.0);
+        }
         Ok(())
     }
 
