@@ -5,12 +5,9 @@ use super::paper::PictureSize;
 use crate::frame::Frame;
 use crate::objects::{Cameras, build_frame_scaled};
 use crate::render::png::{EncodingError, Remark, encode_rows};
-use crate::render::{Canvas, Gpu, GpuError, Painter, Pixels, Reading};
+use crate::render::{Canvas, Gpu, GpuError, Painter, Pixels};
 use crate::scene::Scene;
 use crate::sim::Simulation;
-
-/// About so many pixels of a picture are drawn at once: memory does not grow with the picture, and fresh memory costs time.
-const BAND: u64 = 1 << 19;
 
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
@@ -119,8 +116,8 @@ impl<'a> Studio<'a> {
     /// # Errors
     /// What the device reports.
     pub fn draw(&mut self, frame: &Frame) -> Result<Pixels, HeadlessError> {
-        self.painter.draw_on(self.gpu, &self.canvas, frame);
-        Ok(self.canvas.read(self.gpu)?)
+        let reading = self.painter.draw_on(self.gpu, &self.canvas, frame);
+        Ok(self.canvas.finish_read(self.gpu, &reading)?)
     }
 }
 
@@ -139,34 +136,6 @@ pub fn shot(
     let frame = options.frame(scene, simulation, &Cameras::new(&scene.view));
     let size = options.size.pixels;
     encode_rows(size, options.transparent, remarks, options.size.pixels_per_metre(), |take| {
-        draw_in_bands(gpu, &frame, size, take)
+        Painter::new(gpu).draw_rows(gpu, &frame, size, |row| take(row).map_err(HeadlessError::from))
     })
-}
-
-/// Draws a frame band by band, and hands over its rows: each band is encoded while the next one is drawn.
-fn draw_in_bands(
-    gpu: &Gpu,
-    frame: &Frame,
-    size: [u32; 2],
-    take: &mut dyn FnMut(&[u8]) -> Result<(), EncodingError>,
-) -> Result<(), HeadlessError> {
-    let [width, height] = size;
-    let bands = (u64::from(width) * u64::from(height)).div_ceil(BAND);
-    let rows = height.div_ceil(bands.min(u64::from(height)) as u32);
-    let mut painter = Painter::new(gpu);
-    let canvases: Vec<Canvas> = (0..bands.min(2)).map(|_| Canvas::new(gpu, [width, rows])).collect();
-    gpu.check()?;
-    painter.prepare(gpu, frame, size);
-    let mut under_way: Option<(&Canvas, Reading, u32)> = None;
-    for (canvas, top) in canvases.iter().cycle().zip((0..height).step_by(rows as usize)) {
-        painter.draw_band(gpu, canvas, top);
-        let before = under_way.replace((canvas, canvas.begin_read(gpu), rows.min(height - top)));
-        if let Some((canvas, reading, rows)) = before {
-            canvas.finish_rows(gpu, &reading, rows, |row| take(row).map_err(HeadlessError::from))?;
-        }
-    }
-    if let Some((canvas, reading, rows)) = under_way {
-        canvas.finish_rows(gpu, &reading, rows, |row| take(row).map_err(HeadlessError::from))?;
-    }
-    Ok(())
 }
