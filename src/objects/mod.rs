@@ -7,9 +7,11 @@ mod axes;
 mod body;
 mod body_axes;
 mod check;
+mod cloud;
 mod context;
 mod curve;
 mod floor;
+mod flow;
 #[cfg(test)]
 mod frames_test;
 mod ghosts;
@@ -20,12 +22,15 @@ mod level_sets;
 mod mesh;
 mod notes;
 mod polhode;
+mod rings;
 mod separatrix;
 mod surfaces;
 mod theme;
 mod tip;
 mod track;
+mod turn;
 mod vectors;
+mod way;
 
 use Space::{Momentum, World};
 use glam::Vec2;
@@ -95,6 +100,24 @@ const fn object(
 
 /// The body, on which its axes are numbered.
 const BODY: Object = object("body", "Body", World, true, body::draw, "The body itself, its faces and edges");
+/// The numbers of the axes, at the ends that are not named otherwise.
+const AXIS_NAMES: Object = object(
+    "axis-names",
+    "Numbers of the axes",
+    World,
+    true,
+    body_axes::names,
+    "The numbers 1, 2, 3 at the ends of the body's axes",
+);
+/// The ends of the axis that it was started about.
+const ENDS: Object = object(
+    "ends",
+    "Top and bottom",
+    World,
+    false,
+    body_axes::ends,
+    "Which end of the axis of the spin was up at the start, and which down",
+);
 /// The axes that turn with it, which have their own numbers.
 const BODY_AXES: Object = object(
     "body-axes",
@@ -107,6 +130,33 @@ const BODY_AXES: Object = object(
 /// The axes of momentum space, whose moments have a unit.
 const AXES: Object =
     object("axes", "Principal axes", Momentum, true, axes::axes, "The principal axes through momentum space");
+/// The moments, named at the axes.
+const MOMENTS: Object = object(
+    "moments",
+    "Moments of inertia",
+    Momentum,
+    true,
+    axes::moments,
+    "The moments of inertia beside the numbers of the axes",
+);
+/// L's arrow, of which the captions speak.
+const MOMENTUM: Object = object(
+    "momentum",
+    "Angular momentum L",
+    World,
+    true,
+    vectors::momentum,
+    "The arrow of the angular momentum, which never moves",
+);
+/// Paths of their own, that the flow runs along where they are shown.
+const RINGS: Object = object(
+    "rings",
+    "Rings round axes 1 and 3",
+    Momentum,
+    false,
+    rings::draw,
+    "The paths of M at other energies, each in the colour of the axis that it circles",
+);
 /// The tip of M, which can be dragged where it is drawn.
 pub const TIP: Object = object("tip", "Tip of M", Momentum, true, tip::tip, "The tip of M, and the arrow to it");
 /// The words over the world, under which there must be room.
@@ -145,6 +195,14 @@ pub static OBJECTS: &[Object] = &[
         true,
         floor::plane,
         "The floor: the plane across L on which the ellipsoid of inertia rolls",
+    ),
+    object(
+        "way",
+        "Way round it turns",
+        World,
+        false,
+        way::draw,
+        "A bent arrow on the floor: the way round the body turns, which never changes",
     ),
     object(
         "annulus",
@@ -215,14 +273,8 @@ pub static OBJECTS: &[Object] = &[
         "The path of the tip of the axis of the largest moment",
     ),
     BODY,
-    object(
-        "axis-names",
-        "Numbers of the axes",
-        World,
-        true,
-        body_axes::names,
-        "The numbers 1, 2, 3 at the ends of the body's axes",
-    ),
+    AXIS_NAMES,
+    ENDS,
     BODY_AXES,
     object(
         "ghosts",
@@ -233,13 +285,22 @@ pub static OBJECTS: &[Object] = &[
         "The bodies of the methods that are compared, seen through",
     ),
     object(
-        "momentum",
-        "Angular momentum L",
+        "cloud-bodies",
+        "Bodies of the cloud",
         World,
-        true,
-        vectors::momentum,
-        "The arrow of the angular momentum, which never moves",
+        false,
+        cloud::bodies,
+        "A handful of bodies that started close together, seen through",
     ),
+    object(
+        "turn",
+        "Turn in one period",
+        World,
+        false,
+        turn::turn,
+        "The angle by which the body has turned about L when M has come round once",
+    ),
+    MOMENTUM,
     object(
         "omega",
         "Angular velocity ω",
@@ -249,6 +310,14 @@ pub static OBJECTS: &[Object] = &[
         "The arrow of the angular velocity, which swings about L",
     ),
     WORLD_NOTES,
+    object(
+        "flip-notes",
+        "Words about the flip",
+        World,
+        false,
+        notes::flip,
+        "What flips and what stays, in two lines over the world",
+    ),
     object(
         "sphere",
         "Sphere |M| = |L|",
@@ -266,6 +335,7 @@ pub static OBJECTS: &[Object] = &[
         "The ellipsoid of all momenta of the same energy",
     ),
     AXES,
+    MOMENTS,
     object(
         "level-sets",
         "Levels of the energy",
@@ -274,6 +344,7 @@ pub static OBJECTS: &[Object] = &[
         level_sets::draw,
         "The paths of M at other energies, on the sphere",
     ),
+    RINGS,
     object(
         "separatrix",
         "Separatrix",
@@ -283,12 +354,36 @@ pub static OBJECTS: &[Object] = &[
         "The two circles' border between paths about axis 1 and about axis 3",
     ),
     object(
+        "flow",
+        "Flow",
+        Momentum,
+        false,
+        flow::draw,
+        "Arrowheads that run along the levels of the energy as M would there",
+    ),
+    object(
+        "solid-angle",
+        "Solid angle of M's path",
+        Momentum,
+        false,
+        turn::solid_angle,
+        "The part of the sphere that M goes round, and its solid angle",
+    ),
+    object(
         "poles",
         "Steady spins",
         Momentum,
         true,
         axes::poles,
         "The six steady spins: stable ones dots, unstable ones crosses",
+    ),
+    object(
+        "cloud",
+        "Cloud of starts",
+        Momentum,
+        false,
+        cloud::points,
+        "Starts close together round each axis, all followed exactly",
     ),
     object("polhode", "Polhode", Momentum, true, polhode::draw, "The path of M: where sphere and ellipsoid cross"),
     object(

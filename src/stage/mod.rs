@@ -204,8 +204,7 @@ impl Stage {
         let mut frame = session.frame(width as f32 / height as f32);
         frame.transparent = transparent;
         let canvas = Canvas::new(self.gpu(), [width, height]);
-        self.screen.draw_on(&canvas, &frame);
-        let reading = canvas.begin_read(self.gpu());
+        let reading = self.screen.draw_on(&canvas, &frame);
         Pending { canvas, reading, transparent }
     }
 

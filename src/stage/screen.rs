@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::StageError;
 use super::surface::{Acquired, Surface};
 use crate::frame::Frame;
-use crate::render::{Canvas, Gpu, Painter};
+use crate::render::{Canvas, Gpu, Painter, Reading};
 
 /// The device, the surface and what is drawn with.
 pub(super) struct Screen {
@@ -112,9 +112,9 @@ impl Screen {
         self.surface.replace(surface, &self.gpu);
     }
 
-    /// Draws a frame on a canvas, apart from the screen.
-    pub(super) fn draw_on(&mut self, canvas: &Canvas, frame: &Frame) {
-        self.painter.draw_on(&self.gpu, canvas, frame);
+    /// Draws a frame on a canvas, apart from the screen, and asks for it.
+    pub(super) fn draw_on(&mut self, canvas: &Canvas, frame: &Frame) -> Reading {
+        self.painter.draw_on(&self.gpu, canvas, frame)
     }
 
     /// Draws the picture at its place, the panels on top, and presents; `before` is called right before that.

@@ -66,7 +66,7 @@ pub(super) fn sheet(ui: &mut Ui, room: Vec2, contents: impl FnOnce(&mut Ui)) {
         panel.exact_size(SHEET * room.y).show(ui, contents);
     } else {
         let panel = Panel::right("sheet beside").frame(frame).resizable(false);
-        panel.exact_size(style::PANEL_WIDTH.min(0.5 * room.x)).show(ui, contents);
+        panel.exact_size((style::PANEL_WIDTH + FINGER).min(0.5 * room.x)).show(ui, contents);
     }
 }
 
