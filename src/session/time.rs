@@ -126,6 +126,15 @@ impl Session {
         self.time_was_set();
     }
 
+    /// Shows a moment as a picture does: the scene's step, counted from 0, and the time (s), paused.
+    pub fn show_moment(&mut self, step: Option<usize>, time: f64) {
+        if let Some(step) = step {
+            self.go_to_step(step);
+            self.origin = None;
+        }
+        self.show_time(time);
+    }
+
     /// Shows a time (s), paused, however long the way to it.
     pub fn show_time(&mut self, time: f64) {
         let seen = self.seen();
