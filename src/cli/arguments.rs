@@ -1,7 +1,7 @@
 //! Flags that several commands share: what overrides a scene, and what is said of a picture.
 
-use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use clap::Args;
 #[cfg(feature = "headless")]
@@ -30,7 +30,7 @@ pub(super) struct SceneArguments {
     set: Vec<Edit>,
     /// What SCENE says, once it is read: a pipe is read once.
     #[arg(skip)]
-    said: OnceCell<Result<Link, String>>,
+    said: OnceLock<Result<Link, String>>,
 }
 
 /// Everything that is said of a picture in a file, but its name.

@@ -6,7 +6,7 @@ use crate::frame::{Area, Color, Frame, Note, Pane};
 use crate::objects::{Cameras, Palette};
 use crate::render::png::{Remark, encode_marked};
 use crate::render::{Gpu, Pixels, point_size};
-use crate::scene::{Scene, TimeUnit};
+use crate::scene::Scene;
 use crate::sim::Simulation;
 
 /// Most pictures in a row where nobody says how many.
