@@ -59,8 +59,8 @@ pub struct WindowOptions {
 /// No display, no graphics adapter, or a library missing: one sentence that says what to do about it.
 pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> {
     let event_loop = startup::connect()?;
-    // What is told in steps begins with the first, where no other one is asked for.
-    let at = scene.at.or(scene.file.first_step());
+    // What is told in steps begins with the first, where no other one is asked for; a picture shows what it shows.
+    let at = if options.paused { scene.at } else { scene.at.or(scene.file.first_step()) };
     let scene = objects::check_at(&scene.file, at).unwrap_or(scene);
     let remembered = remember::load();
     let slides = std::mem::take(&mut options.slides);

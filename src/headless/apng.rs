@@ -5,7 +5,7 @@ use std::io::Write;
 use super::FrameRate;
 use super::movie::{Movie, MovieError};
 use crate::render::Pixels;
-use crate::render::png::{Remark, colours, encoder};
+use crate::render::png::{Remark, colours, encoder, say};
 
 /// An animated PNG under way.
 pub struct Apng<W: Write> {
@@ -36,9 +36,7 @@ impl<W: Write> Apng<W> {
     ) -> Result<Self, MovieError> {
         let (frames, [numerator, denominator]) = header(rate, frames)?;
         let mut encoder = encoder(writer, size, transparent);
-        for (keyword, text) in remarks {
-            encoder.add_itxt_chunk((*keyword).to_owned(), text.clone())?;
-        }
+        say(&mut encoder, remarks)?;
         encoder.set_animated(frames, 0)?;
         encoder.set_frame_delay(numerator, denominator)?;
         Ok(Self { writer: encoder.write_header()?, transparent })

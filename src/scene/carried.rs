@@ -52,13 +52,17 @@ pub fn remarks(
         Saying::Plain => "dzhanibekov".to_owned(),
         Saying::Full => concat!("dzhanibekov ", env!("CARGO_PKG_VERSION")).to_owned(),
     };
+    // What a window would keep from the scene before it is said, so that the picture opens as it looks.
+    let mut file = file.clone();
+    file.view.theme.get_or_insert_default();
+    file.view.labels.get_or_insert(true);
     vec![
         ("Software", program),
         ("Title", title),
         ("Description", format!("t = {} s", number(time))),
         ("Comment", command),
         // Whole, and not as what differs from a built-in scene, which another version may have otherwise.
-        (KEYWORD, link::write_at(None, file, step, Some(time))),
+        (KEYWORD, link::write_at(None, &file, step, Some(time))),
     ]
 }
 
@@ -142,7 +146,7 @@ fn find(bytes: &[u8], wanted: &[u8]) -> Option<usize> {
 mod tests {
     use super::{LONGEST, PNG, Saying, kind_of_picture, read, remarks};
     use crate::scene::link::Link;
-    use crate::scene::{SceneError, SceneFile, preset};
+    use crate::scene::{SceneError, SceneFile, Theme, preset};
     use miniz_oxide::deflate::compress_to_vec_zlib;
 
     fn chunk(kind: &str, data: &[u8]) -> Vec<u8> {
@@ -167,7 +171,8 @@ mod tests {
 
     #[test]
     fn every_picture_gives_back_the_scene_that_drew_it() -> Result<(), SceneError> {
-        let (file, link) = drawn()?;
+        let (mut file, link) = drawn()?;
+        (file.view.theme, file.view.labels) = (Some(Theme::Dark), Some(true));
         let packed = compress_to_vec_zlib(link.as_bytes(), 6);
         let text = |kind: &str, middle: &[u8], text: &[u8]| chunk(kind, &[b"Scene\0", middle, text].concat());
         let pixels = chunk("IDAT", &[7; 100]);

@@ -1,6 +1,7 @@
 //! Commands about time.
 
 use super::Session;
+use crate::objects::Cameras;
 use crate::physics::poinsot;
 use crate::physics::so3;
 use crate::sim::{Slowing, Tick};
@@ -123,12 +124,14 @@ impl Session {
         self.time_was_set();
     }
 
-    /// Shows a moment as a picture does: the scene's step, counted from 0, and the time (s), paused.
+    /// Shows a moment as a picture does: the scene's step, counted from 0, or the scene as a whole, and the time (s), paused.
     pub fn show_moment(&mut self, step: Option<usize>, time: f64) {
-        if let Some(step) = step {
-            self.go_to_step(step);
-            self.origin = None;
+        let file = self.scene.file.clone();
+        if let Err(error) = self.set_at(&file, step) {
+            return self.say(error.to_string());
         }
+        self.cameras = Cameras::new(&self.scene.view);
+        self.origin = None;
         self.show_time(time);
     }
 
