@@ -78,6 +78,8 @@ pub struct Pending {
     canvas: Canvas,
     reading: Reading,
     transparent: bool,
+    /// What the file says of its scene.
+    remarks: Vec<(&'static str, String)>,
 }
 
 impl Stage {
@@ -205,7 +207,7 @@ impl Stage {
         frame.transparent = transparent;
         let canvas = Canvas::new(self.gpu(), [width, height]);
         let reading = self.screen.draw_on(&canvas, &frame);
-        Pending { canvas, reading, transparent }
+        Pending { canvas, reading, transparent, remarks: session.remarks([width, height]) }
     }
 
     /// Redraws the picture where something in it changed since it was drawn. Gives its corner on the screen (pixels).
@@ -245,7 +247,7 @@ impl Pending {
     }
 
     fn encoded(&self, picture: &Picture) -> Result<Vec<u8>, String> {
-        png::encode(picture, self.transparent, &[]).map_err(|error| error.to_string())
+        png::encode(picture, self.transparent, &self.remarks).map_err(|error| error.to_string())
     }
 }
 
