@@ -1,5 +1,6 @@
 // Loads the program and tells how far it is; where it cannot run, one sentence says what to do.
-// A copy in one file holds the wasm in <script id="wasm" type="text/plain"> as base64: then nothing is fetched.
+// A copy in one file holds the wasm in <script id="wasm" type="text/plain" data-packing="deflate"> as base64, packed or not: then
+// nothing is fetched.
 (() => {
   "use strict";
   const root = document.documentElement;
@@ -43,7 +44,13 @@
 
   const load = async () => {
     const inline = element("wasm");
-    if (inline) return Uint8Array.from(atob(inline.textContent.trim()), (sign) => sign.charCodeAt(0));
+    if (inline) {
+      const bytes = Uint8Array.from(atob(inline.textContent.trim()), (sign) => sign.charCodeAt(0));
+      const packing = inline.dataset.packing;
+      if (!packing) return bytes;
+      const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(packing));
+      return new Response(unpacked, { headers: { "Content-Type": "application/wasm" } });
+    }
     const response = await fetch("dzhanibekov_bg.wasm");
     if (!response.ok) throw new Error(`the server answers ${response.status}`);
     return counted(response);

@@ -64,7 +64,7 @@ impl Glyphs {
     pub(super) const SIDE: u32 = SIDE;
 
     pub(super) fn new() -> Self {
-        let sources = [crate::typeface::SANS, epaint_default_fonts::HACK_REGULAR];
+        let sources = [crate::typeface::SANS, crate::typeface::MONO];
         Self {
             fonts: sources.iter().filter_map(|bytes| FontRef::try_from_slice(bytes).ok()).collect(),
             cells: HashMap::new(),

@@ -15,15 +15,14 @@ pub const PANEL_WIDTH: f32 = 316.0;
 
 /// Sets fonts and sizes; once, at the start.
 pub fn install(ctx: &Context) {
-    let mut fonts = FontDefinitions::default();
-    fonts.font_data.insert("Sans".to_owned(), Arc::new(FontData::from_static(typeface::SANS)));
-    // The proportional font has no arrows; the bundled monospaced one has.
-    if let Some(family) = fonts.families.get_mut(&FontFamily::Proportional) {
-        family.insert(0, "Sans".to_owned());
-        if !family.iter().any(|name| name == "Hack") {
-            family.push("Hack".to_owned());
-        }
+    let mut fonts = FontDefinitions::empty();
+    let [sans, mono] = ["Sans", "Mono"].map(str::to_owned);
+    for (name, font) in [(&sans, typeface::SANS), (&mono, typeface::MONO)] {
+        fonts.font_data.insert(name.clone(), Arc::new(FontData::from_static(font)));
     }
+    // The proportional font has no arrows; the monospaced one has.
+    fonts.families.insert(FontFamily::Proportional, vec![sans.clone(), mono.clone()]);
+    fonts.families.insert(FontFamily::Monospace, vec![mono, sans]);
     ctx.set_fonts(fonts);
     // The keys for the size of text are in the table of keys.
     ctx.options_mut(|options| options.zoom_with_keyboard = false);

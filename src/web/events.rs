@@ -14,10 +14,12 @@ use web_sys::{
 use super::inbox::{Happening, Inbox};
 use super::touch::{Finger, Phase};
 use super::{dom, keyboard, text_input};
+use crate::scene::{carried, link};
 use crate::ui::Command;
 
-/// Largest file that is read (bytes): as large as one on the desktop.
-const LARGEST_FILE: f64 = 1_048_576.0;
+/// Largest scene that is read, as large as one on the desktop, and largest picture of one (bytes).
+const LARGEST_SCENE: usize = 1 << 20;
+const LARGEST_FILE: f64 = (1 << 26) as f64;
 
 /// Listens to everything for as long as the page lives.
 pub(super) fn listen(inbox: &Rc<Inbox>, canvas: &HtmlCanvasElement) {
@@ -187,17 +189,34 @@ fn open_files(inbox: &Rc<Inbox>, files: &FileList) {
 fn open_file(inbox: &Rc<Inbox>, file: &File) {
     let name = file.name();
     if file.size() > LARGEST_FILE {
-        let sentence = format!("{name} is larger than a scene: at most 1 MiB is read");
+        let sentence = format!("{name} is too large: a scene has at most 1 MiB, and a picture of one 64 MiB here");
         return inbox.put(Happening::Say(sentence));
     }
     let inbox = Rc::clone(inbox);
-    let text = wasm_bindgen_futures::JsFuture::from(file.text());
+    let bytes = wasm_bindgen_futures::JsFuture::from(file.array_buffer());
     wasm_bindgen_futures::spawn_local(async move {
-        match text.await.ok().and_then(|text| text.as_string()) {
-            Some(text) => inbox.put(Happening::Command(Command::OpenText { name, text })),
-            None => inbox.put(Happening::Say(format!("{name} could not be read"))),
-        }
+        inbox.put(match bytes.await {
+            Ok(bytes) => opened(name, js_sys::Uint8Array::new(&bytes).to_vec()),
+            Err(_) => Happening::Say(format!("{name} could not be read")),
+        });
     });
+}
+
+/// What a file of this name comes to: a scene's text, or a picture that carries the scene that drew it.
+fn opened(name: String, bytes: Vec<u8>) -> Happening {
+    if carried::kind_of_picture(&bytes).is_some() {
+        return match carried::read(&bytes) {
+            Ok(read) => Happening::Command(Command::OpenLink(link::write_at(None, &read.file, read.step, read.time))),
+            Err(why) => Happening::Say(format!("{name} {why}")),
+        };
+    }
+    if bytes.len() > LARGEST_SCENE {
+        return Happening::Say(format!("{name} is larger than a scene: at most 1 MiB is read"));
+    }
+    match String::from_utf8(bytes) {
+        Ok(text) => Happening::Command(Command::OpenText { name, text }),
+        Err(_) => Happening::Say(format!("{name} is no text, and so no scene")),
+    }
 }
 
 /// Follows the size of the canvas in device pixels.
