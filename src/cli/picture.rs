@@ -4,12 +4,13 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use dzhanibekov::files;
-use dzhanibekov::headless::{HeadlessError, ShotOptions, shot as draw};
+use dzhanibekov::headless::{FigureFormat, HeadlessError, ShotOptions, figure as draw_figure, shot as draw};
 use dzhanibekov::physics::Method;
 use dzhanibekov::render::png::Remark;
 use dzhanibekov::render::{self, Gpu};
 use dzhanibekov::scene::{Scene, quoted};
 use dzhanibekov::sim::Simulation;
+use dzhanibekov::vector::FigureOptions;
 use serde_json::json;
 
 use super::arguments::PictureArguments;
@@ -32,7 +33,7 @@ pub(super) struct ShotArguments {
     #[command(flatten)]
     picture: PictureArguments,
     /// File to write, or - for standard output
-    #[arg(short, long, value_name = "FILE.png|-")]
+    #[arg(short, long, value_name = "FILE.png|.svg|-")]
     output: PathBuf,
     /// With the window's panel in the picture
     #[cfg(feature = "window")]
@@ -47,7 +48,7 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     let picture = &arguments.picture;
     let (scene, words) = picture_scene(picture)?;
     check_place(&arguments.output)?;
-    check_ending(&arguments.output)?;
+    let format = format(&arguments.output)?;
     let mut simulation = Simulation::new(&scene);
     if picture.time() != 0.0 {
         simulation.go_to(picture.time());
@@ -68,20 +69,30 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
         let bytes = render::png::encode(&pixels, false, &notes).map_err(HeadlessError::from)?;
         return Ok(files::write(&arguments.output, &bytes)?);
     }
-    let bytes = draw(&gpu, &scene, &simulation, &options(picture), &notes(picture, &scene, &words, picture.time()))?;
+    let (options, notes) = (options(picture), notes(picture, &scene, &words, picture.time()));
+    let bytes = match format {
+        None => draw(&gpu, &scene, &simulation, &options, &notes)?,
+        Some(format) => {
+            let figure = FigureOptions::new(options.size);
+            draw_figure(&gpu, &scene, &simulation, &options, &figure, format, &notes)?
+        }
+    };
     Ok(files::write(&arguments.output, &bytes)?)
 }
 
-/// Refuses a name that says another format than PNG, or none. Where a stream goes has a name of its own.
-fn check_ending(output: &Path) -> Result<(), Failure> {
-    let is_png = output.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
-    if is_png || files::takes_streams(output) {
-        return Ok(());
+/// The format of a figure that a name says; none for a PNG. A name that says another format, or none, is refused. Where a
+/// stream goes has a name of its own.
+fn format(output: &Path) -> Result<Option<FigureFormat>, Failure> {
+    let ending = output.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
+    match ending.as_deref() {
+        Some("png") => Ok(None),
+        Some("svg") => Ok(Some(FigureFormat::Svg)),
+        _ if files::takes_streams(output) => Ok(None),
+        _ => Err(Failure::request(format!(
+            "{} names no format that shot writes: give a name ending in .png or .svg, or - for standard output",
+            output.display()
+        ))),
     }
-    Err(Failure::request(format!(
-        "{} names no format that shot writes: give a name ending in .png, or - for standard output",
-        output.display()
-    )))
 }
 
 /// The scene of a picture, checked, and the words of a command line that name it.

@@ -25,6 +25,26 @@ struct Cell {
     bearing: [f32; 2],
 }
 
+/// The typefaces, the usual one first; each of the others has what those before it lack.
+pub static TYPEFACES: [&[u8]; 2] = [crate::typeface::SANS, epaint_default_fonts::HACK_REGULAR];
+
+/// A letter of a laid out text, in pixels from the text's top left corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Letter {
+    /// The character that its font is asked for.
+    pub character: char,
+    /// Which of the [`TYPEFACES`] it is of.
+    pub font: usize,
+    /// Its number in the font.
+    pub glyph: u16,
+    /// Pixels an em.
+    pub em: f32,
+    /// Its origin: where the pen comes to, on the letter's own base line.
+    pub pen: [f32; 2],
+    /// Size as the rasteriser counts it.
+    size: f32,
+}
+
 /// A glyph of a laid out text, in pixels from the text's top left corner.
 #[derive(Clone, Copy)]
 pub(super) struct PlacedGlyph {
@@ -35,6 +55,7 @@ pub(super) struct PlacedGlyph {
 
 /// A text laid out on one line.
 pub(super) struct TextLine {
+    pub(super) letters: Vec<Letter>,
     pub(super) glyphs: Vec<PlacedGlyph>,
     pub(super) extent: [f32; 2],
 }
@@ -55,9 +76,8 @@ impl Glyphs {
     pub(super) const SIDE: u32 = SIDE;
 
     pub(super) fn new() -> Self {
-        let sources = [crate::typeface::SANS, epaint_default_fonts::HACK_REGULAR];
         Self {
-            fonts: sources.iter().filter_map(|bytes| FontRef::try_from_slice(bytes).ok()).collect(),
+            fonts: TYPEFACES.iter().filter_map(|bytes| FontRef::try_from_slice(bytes).ok()).collect(),
             cells: HashMap::new(),
             pixels: vec![0; (SIDE * SIDE) as usize],
             shelf: [0; 3],
@@ -85,14 +105,31 @@ impl Glyphs {
     /// Lays a text out on one line, `size` pixels an em. Indices (₁) and exponents (⁵) are digits set smaller and lower or higher,
     /// whether the font has them or not.
     pub(super) fn lay_out(&mut self, text: &str, size: f32) -> TextLine {
+        let (letters, extent) = self.set(text, size);
+        let mut glyphs = vec![];
+        for letter in &letters {
+            if let Some(cell) = self.cell(letter.font, GlyphId(letter.glyph), letter.size) {
+                let [x, y] = letter.pen;
+                glyphs.push(PlacedGlyph {
+                    low: [(x + cell.bearing[0]).round(), (y + cell.bearing[1]).round()],
+                    extent: cell.extent,
+                    source: cell.source,
+                });
+            }
+        }
+        TextLine { letters, glyphs, extent }
+    }
+
+    /// The letters of a text on one line, and its width and height.
+    fn set(&self, text: &str, size: f32) -> (Vec<Letter>, [f32; 2]) {
         let size = size.min(LARGEST) * self.fonts.first().and_then(height_per_em).unwrap_or(1.0);
-        let Some(first) = self.fonts.first() else { return TextLine { glyphs: vec![], extent: [0.0; 2] } };
+        let Some(first) = self.fonts.first() else { return (vec![], [0.0; 2]) };
         let scaled = first.as_scaled(size);
         let (ascent, height) = (scaled.ascent(), scaled.height());
         let mut pen = 0.0;
         let mut before = None;
         let mut after_letter = false;
-        let mut glyphs = vec![];
+        let mut letters = vec![];
         for character in text.chars() {
             let (character, part, drop) = match character {
                 // Of a unit (m²), which is known at a glance: as the font has it.
@@ -115,18 +152,12 @@ impl Glyphs {
             {
                 pen += font.kern(id_before, id);
             }
-            let advance = font.h_advance(id);
-            if let Some(cell) = self.cell(number, id, size) {
-                glyphs.push(PlacedGlyph {
-                    low: [(pen + cell.bearing[0]).round(), (ascent + drop + cell.bearing[1]).round()],
-                    extent: cell.extent,
-                    source: cell.source,
-                });
-            }
-            pen += advance;
+            let em = size / height_per_em(&self.fonts[number]).unwrap_or(1.0);
+            letters.push(Letter { character, font: number, glyph: id.0, em, pen: [pen, ascent + drop], size });
+            pen += font.h_advance(id);
             before = Some((number, id));
         }
-        TextLine { glyphs, extent: [pen, height] }
+        (letters, [pen, height])
     }
 
     fn cell(&mut self, number: usize, id: GlyphId, size: f32) -> Option<Cell> {

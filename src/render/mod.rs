@@ -12,6 +12,7 @@ mod line;
 mod marker;
 mod mesh;
 mod notes;
+mod overlay;
 mod painter;
 mod pane;
 mod pipeline;
@@ -25,7 +26,9 @@ mod text;
 mod touched;
 mod transfer;
 
+pub use glyphs::{Letter, TYPEFACES};
 pub use gpu::{AdapterDescription, Gpu, GpuError, adapters, no_adapter};
+pub use overlay::{Overlay, PlacedText, halo, overlays};
 pub use painter::Painter;
 pub use readback::{Canvas, Pixels, Reading};
 pub use renderer::point_size;

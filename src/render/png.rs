@@ -26,6 +26,20 @@ pub fn encode(pixels: &Pixels, transparent: bool, remarks: &[Remark]) -> Result<
     Ok(bytes)
 }
 
+/// Pixels inside of another file as a small PNG: the bytes as [`colours`] gives them.
+///
+/// # Errors
+/// None but for a picture with no pixels.
+pub fn encode_small(size: [u32; 2], transparent: bool, colours: &[u8]) -> Result<Vec<u8>, EncodingError> {
+    let mut bytes = vec![];
+    let mut encoder = encoder(&mut bytes, size, transparent);
+    encoder.set_compression(png::Compression::Balanced);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(colours)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
 /// How every picture is encoded, those of a moving one too: eight bits of sRGB, fast.
 pub fn encoder<W: io::Write>(writer: W, [width, height]: [u32; 2], transparent: bool) -> png::Encoder<'static, W> {
     let mut encoder = png::Encoder::new(writer, width, height);

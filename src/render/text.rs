@@ -12,11 +12,14 @@ use super::notes::{self, PlacedNote};
 use super::pane::PaneUniform;
 use super::pipeline::{PipelineMaker, Recipe};
 use super::targets::extent;
-use crate::frame::{Color, Frame};
+use crate::frame::{Color, Frame, Pane};
 
 /// Radius of the halo (points).
-const HALO: f32 = 2.4;
-const HALO_OPACITY: f32 = 0.8;
+pub(super) const HALO: f32 = 2.4;
+pub(super) const HALO_OPACITY: f32 = 0.8;
+/// As the shader has it: its part of the radius with the whole opacity, and the part of the opacity beyond.
+pub(super) const INNER_HALO: f32 = 0.6;
+pub(super) const OUTER_HALO: f32 = 0.6;
 
 /// `Glyph` of shaders/text.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -119,17 +122,12 @@ impl Texts {
         let halo = frame.background.alpha(HALO_OPACITY);
         for ((pane, notes), uniform) in frame.panes.iter().zip(notes).zip(uniforms) {
             let start = instances.len() as u32;
-            let lines: Vec<TextLine> =
-                pane.labels.iter().map(|label| self.glyphs.lay_out(&label.text, label.style.size * point)).collect();
-            let extents: Vec<Vec2> = lines.iter().map(|line| Vec2::from_array(line.extent)).collect();
             let pixels = pane.area.extent * picture;
             let taken: Vec<Box2> = notes.iter().map(|note| note.room).collect();
-            let places = labels::place(pane, uniform, &extents, &taken, pixels, point);
-            let placed = pane.labels.iter().zip(&lines).zip(&places);
-            let placed = placed.filter_map(|((label, line), place)| {
-                place.map(|place| (line, place.low, label.color.fade(place.opacity)))
-            });
-            let texts: Vec<_> = placed.chain(notes.iter().map(|note| (&note.line, note.low, note.color))).collect();
+            let (labels, notes) =
+                (lay_out_labels(&mut self.glyphs, pane, uniform, &taken, pixels, point), notes.iter());
+            let texts = labels.iter().map(|(line, low, color)| (line, *low, *color));
+            let texts: Vec<_> = texts.chain(notes.map(|note| (&note.line, note.low, note.color))).collect();
             let corner = pane.area.corner * picture;
             let rim = Vec2::splat(HALO * point + 2.0);
             let around = |(line, low, _): &(&TextLine, Vec2, Color)| {
@@ -168,6 +166,26 @@ impl Texts {
         pass.set_bind_group(1, &self.group, &[]);
         QuadBuffer::draw(pass, range.clone());
     }
+}
+
+/// The labels of a pane that are seen, each with its upper left corner (pixels of the pane) and its colour there; what is
+/// taken is kept free of them.
+pub(super) fn lay_out_labels(
+    glyphs: &mut Glyphs,
+    pane: &Pane,
+    uniform: &PaneUniform,
+    taken: &[Box2],
+    pixels: Vec2,
+    point: f32,
+) -> Vec<(TextLine, Vec2, Color)> {
+    let lines: Vec<TextLine> =
+        pane.labels.iter().map(|label| glyphs.lay_out(&label.text, label.style.size * point)).collect();
+    let extents: Vec<Vec2> = lines.iter().map(|line| Vec2::from_array(line.extent)).collect();
+    let places = labels::place(pane, uniform, &extents, taken, pixels, point);
+    let placed = pane.labels.iter().zip(lines).zip(places);
+    let seen = placed
+        .filter_map(|((label, line), place)| place.map(|place| (line, place.low, label.color.fade(place.opacity))));
+    seen.collect()
 }
 
 fn append(line: &TextLine, place: Vec2, halo: f32, color: Color, instances: &mut Vec<GlyphData>) {

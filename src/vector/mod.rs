@@ -1,0 +1,63 @@
+//! Figures of vectors: a [`Frame`] as SVG or PDF. Lines, marks and texts are written as what they are, cut where surfaces hide
+//! them by solving for it; the shaded surfaces lie under them as pixels that [`render`](crate::render) has drawn, or as flat areas.
+//!
+//! What is drawn and where is the picture's: the same frame, the same places of labels, the same order.
+
+mod drawing;
+mod figure;
+mod fonts;
+mod lines;
+mod marks;
+mod metadata;
+mod sight;
+mod svg;
+
+use crate::frame::Frame;
+use crate::render::png::{EncodingError, Remark};
+
+pub use figure::{Surfaces, surfaces};
+pub use metadata::read_remarks;
+
+/// How texts are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Letters {
+    /// As text, with the fonts in the file.
+    #[default]
+    Text,
+    /// As outlines, which need no font.
+    Outlines,
+}
+
+/// What a figure is to be like, besides its frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FigureOptions {
+    /// Width and height in pixels, as those of the picture would be; with the next two they make the figure's size on paper.
+    pub size: [u32; 2],
+    /// Pixels a point of the frame ([`point_size`](crate::render::point_size), where nothing else is said).
+    pub point: f32,
+    /// Pixels an inch of paper; 96 as in browsers where nothing else is said.
+    pub dpi: f32,
+    /// How texts are written.
+    pub letters: Letters,
+}
+
+impl FigureOptions {
+    /// As a picture of this size is, for a screen.
+    #[must_use]
+    pub fn new(size: [u32; 2]) -> Self {
+        Self { size, point: crate::render::point_size(size), dpi: 96.0, letters: Letters::Text }
+    }
+}
+
+/// A frame as SVG, over its surfaces drawn as pixels. The remarks are kept in its metadata (see [`read_remarks`]).
+///
+/// # Errors
+/// None but for pixels that cannot be encoded.
+pub fn svg(
+    frame: &Frame,
+    surfaces: &Surfaces,
+    options: &FigureOptions,
+    remarks: &[Remark],
+) -> Result<String, EncodingError> {
+    svg::write(&figure::draw(frame, surfaces, options), options, remarks)
+}
