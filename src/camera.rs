@@ -37,6 +37,20 @@ impl Camera {
         camera
     }
 
+    /// The camera this far (0 to 1) on the way from one to another, round the vertical the shorter way.
+    #[must_use]
+    pub fn between(from: &Self, to: &Self, part: f32) -> Self {
+        let turn = (to.azimuth - from.azimuth + PI).rem_euclid(TAU) - PI;
+        let mut camera = Self {
+            azimuth: from.azimuth + turn * part,
+            elevation: from.elevation + (to.elevation - from.elevation) * part,
+            distance: from.distance * (to.distance / from.distance).powf(part),
+            target: from.target.lerp(to.target, part),
+        };
+        camera.settle();
+        camera
+    }
+
     /// Turns by this part of a view's smaller side (x to the right, y down, as a cursor moves); a drag across
     /// the whole side turns half a circle. Returns whether anything changed.
     pub fn orbit(&mut self, moved: Vec2) -> bool {

@@ -27,6 +27,7 @@ pub use files::read_slides;
 pub use offscreen::with_panels;
 pub use startup::WindowError;
 
+use crate::objects;
 use crate::scene::Scene;
 use crate::session::{Effect, Remembered, Session, Slide};
 use crate::ui::{Command, Panels};
@@ -56,6 +57,9 @@ pub struct WindowOptions {
 /// No display, no graphics adapter, or a library missing: one sentence that says what to do about it.
 pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> {
     let event_loop = startup::connect()?;
+    // What is told in steps begins with the first, where no other one is asked for.
+    let at = scene.at.or(scene.file.first_step());
+    let scene = objects::check_at(&scene.file, at).unwrap_or(scene);
     let remembered = remember::load();
     let slides = std::mem::take(&mut options.slides);
     let mut app = App {
@@ -326,7 +330,7 @@ impl ApplicationHandler<Wake> for App {
             event_loop.set_control_flow(ControlFlow::Wait);
             return;
         }
-        let wanted = if self.session.is_playing() {
+        let wanted = if self.session.is_moving() {
             Some(self.pacer.due())
         } else {
             // However often events ask, frames keep their beat.

@@ -9,6 +9,8 @@ use dzhanibekov::scene::{DEFAULT_PRESET, Edit, Edits, Scene, SceneError, SceneFi
 
 use super::failure::{Failure, say};
 use super::flags::{SceneFlags, ViewFlags as ViewArguments};
+#[cfg(feature = "headless")]
+use super::size::SizeArguments;
 
 /// The scene and what is said over it.
 #[derive(Args, Debug)]
@@ -24,6 +26,7 @@ pub(super) struct SceneArguments {
 }
 
 /// Everything that is said of a picture in a file, but its name.
+#[cfg(feature = "headless")]
 #[derive(Args, Debug)]
 pub(super) struct PictureArguments {
     #[command(flatten)]
@@ -33,9 +36,11 @@ pub(super) struct PictureArguments {
     /// Simulated time shown (s), 0 where left out; of a recording, its first frame's
     #[arg(long, value_name = "T", allow_hyphen_values = true, help_heading = "Picture")]
     time: Option<f64>,
-    /// Size in pixels
-    #[arg(long, value_name = "WxH", default_value = "1280x720", allow_hyphen_values = true, value_parser = size, help_heading = "Picture")]
-    pub(super) size: [u32; 2],
+    /// Step of the scene, counted from 1; the scene as a whole where left out
+    #[arg(long, value_name = "N", allow_hyphen_values = true, help_heading = "Picture")]
+    scene_step: Option<usize>,
+    #[command(flatten)]
+    pub(super) size: SizeArguments,
     /// No background: transparent where nothing is drawn
     #[arg(long, help_heading = "Picture")]
     pub(super) transparent: bool,
@@ -70,11 +75,18 @@ pub(super) struct ReportArguments {
     pub(super) quiet: bool,
 }
 
-#[cfg(feature = "picture")]
+#[cfg(feature = "headless")]
 impl PictureArguments {
-    /// The time (s) shown: as said here, else as a link says.
-    pub(super) fn time(&self) -> f64 {
-        self.time.or_else(|| self.scene.time()).unwrap_or(0.0)
+    /// The time (s) shown: as said here, else as a link says, else as the scene's step does.
+    pub(super) fn time(&self, scene: &Scene) -> f64 {
+        self.time.or_else(|| self.scene.time()).or(scene.file.pace_at(scene.at).time).unwrap_or(0.0)
+    }
+
+    /// The scene, with the words of a command line that name it and what is said over it.
+    pub(super) fn named_scene(&self) -> Result<(Scene, Vec<String>), Failure> {
+        let (scene, mut words) = self.scene.named_scene(Some(&self.view), self.scene_step, self.quiet)?;
+        words.extend(scene.at.into_iter().flat_map(|step| ["--scene-step".to_owned(), (step + 1).to_string()]));
+        Ok((scene, words))
     }
 }
 
@@ -87,17 +99,18 @@ impl SceneArguments {
 
     /// Reads the scene, says over it what is given and checks the whole. Warnings go to standard error.
     pub(super) fn scene(&self, view: Option<&ViewArguments>, is_quiet: bool) -> Result<Scene, Failure> {
-        Ok(self.named_scene(view, is_quiet)?.0)
+        Ok(self.named_scene(view, None, is_quiet)?.0)
     }
 
-    /// As [`Self::scene`], with the words of a command line that name the scene and what is said over it.
-    pub(super) fn named_scene(
+    /// As [`Self::scene`], at a step counted from 1, with the words of a command line that name the scene and what is said over it.
+    fn named_scene(
         &self,
         view: Option<&ViewArguments>,
+        step: Option<usize>,
         is_quiet: bool,
     ) -> Result<(Scene, Vec<String>), Failure> {
         let opened = self.source().open()?;
-        let scene = self.checked(&opened, view, is_quiet)?;
+        let scene = self.checked(&opened, view, step, is_quiet)?;
         let mut words = vec![opened.name];
         words.extend(flags(&opened.file, &scene.file));
         Ok((scene, words))
@@ -106,17 +119,30 @@ impl SceneArguments {
     /// The time (s) that a link says.
     #[cfg(feature = "picture")]
     pub(super) fn time(&self) -> Option<f64> {
+        self.link()?.time
+    }
+
+    /// The link that SCENE is.
+    fn link(&self) -> Option<link::Link> {
         match self.source() {
-            Source::Link(text) => link::read(text).ok()?.time,
+            Source::Link(text) => link::read(text).ok(),
             Source::BuiltIn(_) | Source::Path(_) => None,
         }
     }
 
-    /// An opened scene with what is said over it.
-    fn checked(&self, opened: &Opened, view: Option<&ViewArguments>, is_quiet: bool) -> Result<Scene, Failure> {
+    /// An opened scene with what is said over it, at a step counted from 1.
+    fn checked(
+        &self,
+        opened: &Opened,
+        view: Option<&ViewArguments>,
+        step: Option<usize>,
+        is_quiet: bool,
+    ) -> Result<Scene, Failure> {
         let mut file = opened.file.clone();
         self.edits(view).apply(&mut file);
-        let scene = check(&file).map_err(|error| {
+        // Before the first there is no step either: it is told as 0.
+        let given = step.map(|step| step.checked_sub(1).unwrap_or(usize::MAX));
+        let scene = check(&file, given.or_else(|| self.link()?.step)).map_err(|error| {
             let place = if opened.is_file { format!("{}: ", opened.name) } else { String::new() };
             Failure::request(format!("{place}{error}"))
         })?;
@@ -128,20 +154,21 @@ impl SceneArguments {
         Ok(scene)
     }
 
-    /// For the window: the scene and, where a folder is named, all scenes in it in the order of their names.
+    /// For the window: the scene at a step counted from 1, and, where a folder is named, all scenes in it in the order of their names.
     #[cfg(feature = "window")]
     pub(super) fn slides(
         &self,
         view: &ViewArguments,
+        step: Option<usize>,
         is_quiet: bool,
     ) -> Result<(Scene, Vec<dzhanibekov::session::Slide>), Failure> {
         let slides = match self.source() {
             Source::Path(path) if path.is_dir() => dzhanibekov::app::read_slides(path).map_err(Failure::request)?,
             Source::Path(path) => {
                 let slides = dzhanibekov::app::read_slides(path).map_err(Failure::request)?;
-                return Ok((self.scene(Some(view), is_quiet)?, slides));
+                return Ok((self.named_scene(Some(view), step, is_quiet)?.0, slides));
             }
-            _ => return Ok((self.scene(Some(view), is_quiet)?, vec![])),
+            _ => return Ok((self.named_scene(Some(view), step, is_quiet)?.0, vec![])),
         };
         let sound = slides.iter().find_map(|slide| Some((&slide.name, slide.file.as_ref().ok()?)));
         let Some((name, file)) = sound else {
@@ -150,7 +177,7 @@ impl SceneArguments {
             return Err(Failure::request(format!("{name}: {why}")));
         };
         let opened = Opened { name: name.clone(), file: file.clone(), is_file: true };
-        let scene = self.checked(&opened, Some(view), is_quiet)?;
+        let scene = self.checked(&opened, Some(view), step, is_quiet)?;
         Ok((scene, slides))
     }
 
@@ -219,11 +246,11 @@ impl Source<'_> {
 }
 
 /// Checks a scene with all that this build of the program knows of it.
-fn check(file: &SceneFile) -> Result<Scene, SceneError> {
+fn check(file: &SceneFile, at: Option<usize>) -> Result<Scene, SceneError> {
     #[cfg(feature = "picture")]
-    return dzhanibekov::objects::check(file);
+    return dzhanibekov::objects::check_at(file, at);
     #[cfg(not(feature = "picture"))]
-    Scene::check(file)
+    Scene::check_at(file, at)
 }
 
 /// Reads a scene file; its path comes with it.

@@ -7,7 +7,7 @@ use clap::Args;
 use dzhanibekov::files;
 use dzhanibekov::physics::METHODS;
 use dzhanibekov::physics::methods::{Keeps, Order};
-use dzhanibekov::scene::{KEYS, SOLID_KEYS, presets};
+use dzhanibekov::scene::{KEYS, SOLID_KEYS, STEP_KEYS, presets};
 use serde_json::json;
 
 use super::failure::Failure;
@@ -33,7 +33,11 @@ pub(super) fn scenes(arguments: &ListArguments) -> Result<(), Failure> {
         let list: Vec<_> = rows
             .iter()
             .map(|(name, file)| {
-                json!({ "name": name, "title": file.title, "text": file.text, "question": file.question })
+                let steps: Vec<&str> = file.steps.iter().map(|step| &*step.text).collect();
+                json!({
+                    "name": name, "title": file.title, "text": file.text, "question": file.question,
+                    "answer": file.answer, "steps": steps,
+                })
             })
             .collect();
         return print(&format!("{:#}\n", json!(list)));
@@ -87,7 +91,8 @@ pub(super) fn methods(arguments: &ListArguments) -> Result<(), Failure> {
 pub(super) fn keys(arguments: &ListArguments) -> Result<(), Failure> {
     let of_scene = KEYS.iter().map(|key| (key.name, key.kind, key.unit, key.help, key.flag));
     let of_solid = SOLID_KEYS.iter().map(|key| (key.name, key.kind, key.unit, key.help, key.flag));
-    let rows = of_scene.chain(of_solid);
+    let of_step = STEP_KEYS.iter().map(|key| (key.name, key.kind, key.unit, key.help, key.flag));
+    let rows = of_scene.chain(of_solid).chain(of_step);
     if arguments.json {
         let list: Vec<_> = rows
             .map(|(name, kind, unit, help, flag)| {

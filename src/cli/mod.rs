@@ -15,6 +15,8 @@ mod record;
 #[cfg(feature = "report")]
 mod report;
 mod signal;
+#[cfg(feature = "headless")]
+mod size;
 mod times;
 mod trace;
 
@@ -52,6 +54,9 @@ struct Arguments {
     scene: SceneArguments,
     #[command(flatten)]
     view: ViewFlags,
+    /// Step of the scene to begin at, counted from 1
+    #[arg(long, value_name = "N", allow_hyphen_values = true, help_heading = "Picture")]
+    scene_step: Option<usize>,
     /// Size of the window in pixels
     #[arg(long, value_name = "WxH", help_heading = "Picture")]
     size: Option<String>,
@@ -70,15 +75,17 @@ enum Command {
     #[command(after_help = "Examples:
   dzhanibekov shot flip -o flip.png
   dzhanibekov shot flip --time 2.5 --size 3840x2160 --theme light -o flip.png
+  dzhanibekov shot flip --time 2.5 --width 86mm --dpi 600 --theme light -o figure.png
   dzhanibekov shot flip --time 2.5 --panel -o window.png
   dzhanibekov shot --moments 1,2,3 --omega 0,1,0.001 --view body -o - | display")]
     Shot(Box<picture::ShotArguments>),
     #[cfg(feature = "headless")]
-    /// Record moving pictures: numbered PNG files, GIF, animated PNG, MP4, or a stream
+    /// Record moving pictures: numbered PNG files, GIF, animated PNG, films through ffmpeg, or a stream
     #[command(after_help = "Examples:
   dzhanibekov record flip -o frame-{:05}.png --fps 60 --duration 10
   dzhanibekov record flip -o flip.gif --fps 50 --duration 5 --size 640x360
   dzhanibekov record flip -o flip.mp4 --duration 20 --size 1920x1080
+  dzhanibekov record flip -o flip.webm --transparent --view world      also .mov and .mkv
   dzhanibekov record flip -o - | ffplay -
   dzhanibekov record flip -o frame-{:05}.png --frames 0..300 --keep")]
     Record(Box<record::RecordArguments>),
@@ -196,7 +203,7 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
     #[cfg(feature = "window")]
     {
         quiet_driver::keep_quiet();
-        let (scene, slides) = arguments.scene.slides(&arguments.view, arguments.quiet)?;
+        let (scene, slides) = arguments.scene.slides(&arguments.view, arguments.scene_step, arguments.quiet)?;
         let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
         let adapter = arguments.adapter.clone();
         let place = arguments.scene.place();
@@ -206,7 +213,7 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
     #[cfg(not(feature = "window"))]
     {
         arguments.scene.scene(Some(&arguments.view), arguments.quiet)?;
-        let _ = (&arguments.size, &arguments.adapter);
+        let _ = (&arguments.size, &arguments.adapter, arguments.scene_step);
         Err(Failure::not_built("the window", "window"))
     }
 }

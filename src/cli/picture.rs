@@ -10,7 +10,7 @@ use dzhanibekov::render::png::Remark;
 use dzhanibekov::render::{self, Gpu};
 use dzhanibekov::scene::{Scene, quoted};
 use dzhanibekov::sim::Simulation;
-use dzhanibekov::vector::FigureOptions;
+use dzhanibekov::vector::Letters;
 use serde_json::json;
 
 use super::arguments::PictureArguments;
@@ -37,7 +37,7 @@ pub(super) struct ShotArguments {
     output: PathBuf,
     /// With the window's panel in the picture
     #[cfg(feature = "window")]
-    #[arg(long, help_heading = "Picture", conflicts_with = "transparent")]
+    #[arg(long, help_heading = "Picture", conflicts_with_all = ["transparent", "width", "height"])]
     panel: bool,
 }
 
@@ -47,11 +47,12 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     signal::end_at_once()?;
     let picture = &arguments.picture;
     let (scene, words) = picture_scene(picture)?;
+    let time = picture.time(&scene);
     check_place(&arguments.output)?;
     let format = format(&arguments.output)?;
     let mut simulation = Simulation::new(&scene);
-    if picture.time() != 0.0 {
-        simulation.go_to(picture.time());
+    if time != 0.0 {
+        simulation.go_to(time);
     }
     if let Some(error) = simulation.main().failure() {
         return Err(Failure::could_not(error.to_string()));
@@ -60,22 +61,20 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     #[cfg(feature = "window")]
     if arguments.panel {
         let options = options(picture);
-        let mut notes = notes(picture, &scene, &words, picture.time());
+        let mut notes = notes(picture, &scene, &words, time);
         if let Some((_, command)) = notes.last_mut() {
             command.push_str(" --panel");
         }
-        let pixels = dzhanibekov::app::with_panels(&gpu, scene, picture.time(), options.size)
+        let pixels = dzhanibekov::app::with_panels(&gpu, scene, time, options.size.pixels)
             .map_err(|error| Failure::could_not(error.to_string()))?;
-        let bytes = render::png::encode(&pixels, false, &notes).map_err(HeadlessError::from)?;
+        let bytes = render::png::encode_marked(&pixels, false, &notes, options.size.pixels_per_metre())
+            .map_err(HeadlessError::from)?;
         return Ok(files::write(&arguments.output, &bytes)?);
     }
-    let (options, notes) = (options(picture), notes(picture, &scene, &words, picture.time()));
+    let (options, notes) = (options(picture), notes(picture, &scene, &words, time));
     let bytes = match format {
         None => draw(&gpu, &scene, &simulation, &options, &notes)?,
-        Some(format) => {
-            let figure = FigureOptions::new(options.size);
-            draw_figure(&gpu, &scene, &simulation, &options, &figure, format, &notes)?
-        }
+        Some(format) => draw_figure(&gpu, &scene, &simulation, &options, Letters::Text, format, &notes)?,
     };
     Ok(files::write(&arguments.output, &bytes)?)
 }
@@ -97,11 +96,12 @@ fn format(output: &Path) -> Result<Option<FigureFormat>, Failure> {
 
 /// The scene of a picture, checked, and the words of a command line that name it.
 pub(super) fn picture_scene(picture: &PictureArguments) -> Result<(Scene, Vec<String>), Failure> {
-    let (scene, words) = picture.scene.named_scene(Some(&picture.view), picture.quiet)?;
-    if !picture.time().is_finite() {
-        return Err(Failure::request(format!("--time {} is not finite", picture.time())));
+    let (scene, words) = picture.named_scene()?;
+    let time = picture.time(&scene);
+    if !time.is_finite() {
+        return Err(Failure::request(format!("--time {time} is not finite")));
     }
-    check_steps(&scene, &format!("--time {}", short(picture.time())), picture.time(), followed(&scene))?;
+    check_steps(&scene, &format!("--time {}", short(time)), time, followed(&scene))?;
     Ok((scene, words))
 }
 
@@ -111,7 +111,7 @@ pub(super) fn followed(scene: &Scene) -> impl Iterator<Item = &&'static Method> 
 }
 
 pub(super) fn options(picture: &PictureArguments) -> ShotOptions {
-    ShotOptions { size: picture.size, transparent: picture.transparent, adapter: picture.adapter.clone() }
+    ShotOptions { size: picture.size.get(), transparent: picture.transparent, adapter: picture.adapter.clone() }
 }
 
 /// Opens what the picture is drawn on, and says once what is worth saying of the choice.
@@ -128,8 +128,7 @@ pub(super) fn notes(picture: &PictureArguments, scene: &Scene, words: &[String],
     let mut command = vec!["dzhanibekov".to_owned(), "shot".to_owned()];
     command.extend_from_slice(words);
     command.extend(["--time".to_owned(), short(time)]);
-    let [width, height] = picture.size;
-    command.extend(["--size".to_owned(), format!("{width}x{height}")]);
+    command.extend(picture.size.words());
     if picture.transparent {
         command.push("--transparent".to_owned());
     }

@@ -1,12 +1,17 @@
 //! One figure of vectors, over its surfaces as pixels.
 
+use super::paper::{PictureSize, THINNEST_LINE};
 use super::shot::{HeadlessError, ShotOptions, Studio};
-use crate::objects::{Cameras, build_frame};
+use crate::frame::Frame;
+use crate::objects::Cameras;
 use crate::render::Gpu;
 use crate::render::png::Remark;
 use crate::scene::Scene;
 use crate::sim::Simulation;
-use crate::vector::{self, FigureOptions, Surfaces};
+use crate::vector::{self, FigureOptions, Letters, Surfaces};
+
+/// Points of paper (1/72 in) of a pixel for screens, of which an inch has 96.
+const SCREEN: f64 = 72.0 / 96.0;
 
 /// What a figure is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,8 +20,7 @@ pub enum FigureFormat {
     Svg,
 }
 
-/// Draws a scene as its simulation is now, by its own view, on the device that the options opened: the bytes of a file. The
-/// size is that of `figure`.
+/// Draws a scene as its simulation is now, by its own view, on the device that the options opened: the bytes of a file.
 ///
 /// # Errors
 /// See [`HeadlessError`].
@@ -24,19 +28,26 @@ pub fn figure(
     gpu: &Gpu,
     scene: &Scene,
     simulation: &Simulation,
-    shot: &ShotOptions,
-    figure: &FigureOptions,
+    options: &ShotOptions,
+    letters: Letters,
     format: FigureFormat,
     remarks: &[Remark],
 ) -> Result<Vec<u8>, HeadlessError> {
-    let [width, height] = figure.size;
-    let mut frame = build_frame(scene, simulation, &Cameras::new(&scene.view), width as f32 / height as f32);
-    frame.transparent = shot.transparent;
-    let mut studio = Studio::new(gpu, figure.size)?;
+    let frame = options.frame(scene, simulation, &Cameras::new(&scene.view));
+    let mut studio = Studio::new(gpu, options.size.pixels)?;
+    let mut drawn = |frame: Option<Frame>| frame.map(|frame| studio.draw(&frame)).transpose();
     let [below, above] = vector::surfaces(&frame);
-    let mut drawn = |frame: Option<crate::frame::Frame>| frame.map(|frame| studio.draw(&frame)).transpose();
     let surfaces = Surfaces { below: drawn(below)?, above: drawn(above)? };
+    let options = figure_options(options.size, letters);
     Ok(match format {
-        FigureFormat::Svg => vector::svg(&frame, &surfaces, figure, remarks)?.into_bytes(),
+        FigureFormat::Svg => vector::svg(&frame, &surfaces, &options, remarks)?.into_bytes(),
     })
+}
+
+/// How large a figure is that has the size of this picture.
+fn figure_options(size: PictureSize, letters: Letters) -> FigureOptions {
+    let marked = size.density.map(|density| size.pixels.map(|pixels| f64::from(pixels) / density * 72.0));
+    let paper = size.paper.or(marked);
+    let point = paper.map_or(SCREEN, |[width, _]| width / f64::from(size.pixels[0]));
+    FigureOptions { size: size.pixels, paper, thinnest: THINNEST_LINE / point, letters }
 }

@@ -5,7 +5,9 @@ mod fault;
 mod figure;
 mod gif;
 mod movie;
+mod paper;
 mod record;
+mod rgba;
 mod shot;
 mod y4m;
 
@@ -13,6 +15,8 @@ pub use apng::Apng;
 pub use figure::{FigureFormat, figure};
 pub use gif::Gif;
 pub use movie::{Movie, MovieError};
+pub use paper::{Length, POINT, PictureSize, THINNEST_LINE};
 pub use record::{FrameRate, Recording, record};
+pub use rgba::Rgba;
 pub use shot::{HeadlessError, ShotOptions, Studio, shot};
 pub use y4m::Y4m;

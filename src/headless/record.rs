@@ -7,8 +7,7 @@ use std::sync::mpsc::{SyncSender, sync_channel};
 
 use super::fault;
 use super::shot::{HeadlessError, ShotOptions};
-use crate::frame::Frame;
-use crate::objects::{Cameras, build_frame};
+use crate::objects::Cameras;
 use crate::render::{Canvas, Gpu, Painter, Pixels, Reading};
 use crate::scene::Scene;
 use crate::sim::Simulation;
@@ -138,22 +137,22 @@ struct Artist<'a> {
     scene: &'a Scene,
     simulation: Simulation,
     cameras: Cameras,
-    transparent: bool,
+    options: &'a ShotOptions,
     gpu: &'a Gpu,
     painter: Painter,
     canvases: [Canvas; 2],
 }
 
 impl<'a> Artist<'a> {
-    fn new(gpu: &'a Gpu, scene: &'a Scene, recording: &Recording) -> Result<Self, HeadlessError> {
+    fn new(gpu: &'a Gpu, scene: &'a Scene, recording: &'a Recording) -> Result<Self, HeadlessError> {
         let painter = Painter::new(gpu);
-        let canvases = [(); 2].map(|()| Canvas::new(gpu, recording.shot.size));
+        let canvases = [(); 2].map(|()| Canvas::new(gpu, recording.shot.size.pixels));
         gpu.check()?;
         Ok(Self {
             scene,
             simulation: Simulation::new(scene),
             cameras: Cameras::new(&scene.view),
-            transparent: recording.shot.transparent,
+            options: &recording.shot,
             gpu,
             painter,
             canvases,
@@ -166,9 +165,7 @@ impl<'a> Artist<'a> {
             return Err(HeadlessError::Method(failure.to_string()));
         }
         let canvas = &self.canvases[canvas];
-        let [width, height] = canvas.size();
-        let mut frame: Frame = build_frame(self.scene, &self.simulation, &self.cameras, width as f32 / height as f32);
-        frame.transparent = self.transparent;
+        let frame = self.options.frame(self.scene, &self.simulation, &self.cameras);
         self.painter.draw_on(self.gpu, canvas, &frame);
         Ok(canvas.begin_read(self.gpu))
     }

@@ -1,9 +1,10 @@
 //! One picture.
 
 use super::fault;
+use super::paper::PictureSize;
 use crate::frame::Frame;
-use crate::objects::{Cameras, build_frame};
-use crate::render::png::{EncodingError, Remark, encode};
+use crate::objects::{Cameras, build_frame_scaled};
+use crate::render::png::{EncodingError, Remark, encode_marked};
 use crate::render::{Canvas, Gpu, GpuError, Painter, Pixels};
 use crate::scene::Scene;
 use crate::sim::Simulation;
@@ -45,10 +46,10 @@ impl HeadlessError {
 }
 
 /// What a picture with no window is to be like, besides its scene.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ShotOptions {
-    /// Width and height in pixels.
-    pub size: [u32; 2],
+    /// How large it is.
+    pub size: PictureSize,
     /// Leave the background out.
     pub transparent: bool,
     /// Part of the name of the adapter to draw with.
@@ -57,7 +58,7 @@ pub struct ShotOptions {
 
 impl Default for ShotOptions {
     fn default() -> Self {
-        Self { size: [1280, 720], transparent: false, adapter: None }
+        Self { size: PictureSize::in_pixels([1280, 720]), transparent: false, adapter: None }
     }
 }
 
@@ -67,17 +68,27 @@ impl ShotOptions {
     /// # Errors
     /// No adapter, or a size that it cannot draw.
     pub fn open(&self) -> Result<Gpu, HeadlessError> {
-        let [width, height] = self.size;
+        let [width, height] = self.size.pixels;
         let refused = |largest, most| Err(HeadlessError::Size { width, height, largest, most });
         if width == 0 || height == 0 {
             return refused(8192, 1 << 26);
         }
         let gpu = pollster::block_on(Gpu::headless(self.adapter.as_deref()))?;
-        if !Canvas::fits(&gpu, self.size) {
+        if !Canvas::fits(&gpu, self.size.pixels) {
             return refused(gpu.largest_side(), Canvas::most_pixels(&gpu));
         }
         fault::after(0, &gpu);
         Ok(gpu)
+    }
+
+    /// The picture of a scene as its simulation is now, with type and lines of the size that is right on this one.
+    #[must_use]
+    pub fn frame(&self, scene: &Scene, simulation: &Simulation, cameras: &Cameras) -> Frame {
+        let [width, height] = self.size.pixels;
+        let aspect = width as f32 / height as f32;
+        let mut frame = build_frame_scaled(scene, simulation, cameras, aspect, self.size.type_scale());
+        frame.transparent = self.transparent;
+        frame
     }
 }
 
@@ -108,13 +119,6 @@ impl<'a> Studio<'a> {
         self.painter.draw_on(self.gpu, &self.canvas, frame);
         Ok(self.canvas.read(self.gpu)?)
     }
-
-    /// The aspect of the pictures: width over height.
-    #[must_use]
-    pub fn aspect(&self) -> f32 {
-        let [width, height] = self.canvas.size();
-        width as f32 / height as f32
-    }
 }
 
 /// Draws a scene as its simulation is now, by its own view, on the device that the options opened: the bytes of a
@@ -129,9 +133,7 @@ pub fn shot(
     options: &ShotOptions,
     remarks: &[Remark],
 ) -> Result<Vec<u8>, HeadlessError> {
-    let mut studio = Studio::new(gpu, options.size)?;
-    let mut frame = build_frame(scene, simulation, &Cameras::new(&scene.view), studio.aspect());
-    frame.transparent = options.transparent;
-    let pixels = studio.draw(&frame)?;
-    Ok(encode(&pixels, options.transparent, remarks)?)
+    let mut studio = Studio::new(gpu, options.size.pixels)?;
+    let pixels = studio.draw(&options.frame(scene, simulation, &Cameras::new(&scene.view)))?;
+    Ok(encode_marked(&pixels, options.transparent, remarks, options.size.pixels_per_metre())?)
 }

@@ -1,16 +1,25 @@
 //! The whole check of a scene: what [`Scene::check`] sees, and the names of what is drawn.
 
 use super::{OBJECTS, object_named};
-use crate::scene::{Scene, SceneError, SceneFile, nearest};
+use crate::scene::{ALL, Scene, SceneError, SceneFile, nearest};
 
 /// Checks a scene that is to be drawn. Every way in goes through here: command line, file, folder, clipboard, link.
 ///
 /// # Errors
 /// See [`SceneError`].
 pub fn check(file: &SceneFile) -> Result<Scene, SceneError> {
-    let scene = Scene::check(file)?;
-    let named = file.view.show.iter().chain(&file.view.hide);
-    match named.into_iter().find(|name| object_named(name).is_none()) {
+    check_at(file, None)
+}
+
+/// The same, of a scene that is to be drawn as it is at this step, counted from 0.
+///
+/// # Errors
+/// See [`SceneError`].
+pub fn check_at(file: &SceneFile, at: Option<usize>) -> Result<Scene, SceneError> {
+    let scene = Scene::check_at(file, at)?;
+    let of_steps = file.steps.iter().flat_map(|step| step.show.iter().chain(&step.hide));
+    let mut named = file.view.show.iter().chain(&file.view.hide).chain(of_steps);
+    match named.find(|name| *name != ALL && object_named(name).is_none()) {
         None => Ok(scene),
         Some(name) => Err(SceneError::UnknownName {
             kind: "object",
@@ -43,8 +52,10 @@ mod tests {
             ("hide", "shadows", "object `shadows` is not known: the nearest is `shadow`"),
             ("hide", "floor", "object `floor` is not known: `dzhanibekov objects` lists them"),
         ] {
-            let file = SceneFile::parse(&format!("view.{key} = [\"body\", \"{name}\"]"))?;
-            assert_eq!(check(&file).map_err(|error| error.to_string()).err().as_deref(), Some(hint));
+            for place in [format!("view.{key}"), format!("[[step]]\n[[step]]\n{key}")] {
+                let file = SceneFile::parse(&format!("{place} = [\"body\", \"all\", \"{name}\"]"))?;
+                assert_eq!(check(&file).map_err(|error| error.to_string()).err().as_deref(), Some(hint));
+            }
         }
         Ok(())
     }

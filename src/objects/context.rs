@@ -30,6 +30,8 @@ pub struct Context<'a> {
     pub settings: &'a scene::View,
     /// The colours.
     pub palette: Palette,
+    /// Factor on type and lines, besides the one that the settings say.
+    pub(super) type_scale: f32,
     /// Turns the world so that the angular momentum points up (z).
     picture_from_world: DMat3,
     /// Units of the picture a metre.
@@ -67,6 +69,7 @@ impl<'a> Context<'a> {
             simulation,
             settings,
             palette: *palette,
+            type_scale: 1.0,
             picture_from_world: upright(momentum, momentum_length),
             per_metre: BODY_RADIUS * reciprocal(radius),
             momentum_length,

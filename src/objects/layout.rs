@@ -97,6 +97,15 @@ impl Cameras {
         }
     }
 
+    /// The cameras this far (0 to 1) on the way from one pair to another.
+    #[must_use]
+    pub fn between(from: &Self, to: &Self, part: f32) -> Self {
+        Self {
+            world: Camera::between(&from.world, &to.world, part),
+            momentum: Camera::between(&from.momentum, &to.momentum, part),
+        }
+    }
+
     /// The camera of one space.
     #[must_use]
     pub fn of(&self, space: Space) -> &Camera {

@@ -13,6 +13,7 @@ mod floor;
 #[cfg(test)]
 mod frames_test;
 mod ghosts;
+mod glide;
 mod labels;
 mod layout;
 mod level_sets;
@@ -27,15 +28,17 @@ mod vectors;
 
 use Space::{Momentum, World};
 use glam::Vec2;
+use glide::Held;
 
 use crate::camera::Camera;
 use crate::frame::{Color, Frame, Pane};
-use crate::scene::{self, Scene, Theme};
+use crate::scene::{self, ALL, Scene, Theme};
 use crate::sim::Simulation;
 
-pub use check::check;
+pub use check::{check, check_at};
 pub use context::Context;
 pub use ghosts::method_color;
+pub use glide::Glide;
 pub use layout::{Cameras, Space, areas};
 pub use theme::Palette;
 
@@ -306,11 +309,16 @@ pub fn object_named(name: &str) -> Option<&'static Object> {
     OBJECTS.iter().find(|object| object.name == name)
 }
 
-/// Whether a view's settings show an object. What is hidden by name stays hidden, whatever else is said.
+/// Whether a view's settings show an object. What is hidden by name stays hidden, whatever else is said; its own name goes before
+/// that of all.
 #[must_use]
 pub fn is_shown(object: &Object, view: &scene::View) -> bool {
-    let named = |names: &[String]| names.iter().any(|name| name == object.name);
-    (object.shown || named(&view.show)) && !named(&view.hide)
+    let holds = |names: &[String], name: &str| names.iter().any(|other| other == name);
+    if holds(&view.hide, object.name) {
+        return false;
+    }
+    let is_usual = (object.shown || holds(&view.show, ALL)) && !holds(&view.hide, ALL);
+    is_usual || holds(&view.show, object.name)
 }
 
 /// Every object and whether a view's settings show it, what is usually shown first: what a list of them to choose from says.
@@ -349,15 +357,51 @@ fn camera_of(context: &Context<'_>, cameras: &Cameras, space: Space) -> Camera {
 /// The picture of a scene as its simulation is now, in a picture of this aspect (width over height).
 #[must_use]
 pub fn build_frame(scene: &Scene, simulation: &Simulation, cameras: &Cameras, aspect: f32) -> Frame {
+    build_frame_scaled(scene, simulation, cameras, aspect, 1.0)
+}
+
+/// As [`build_frame`], with type and lines larger by a factor.
+#[must_use]
+pub fn build_frame_scaled(
+    scene: &Scene,
+    simulation: &Simulation,
+    cameras: &Cameras,
+    aspect: f32,
+    type_scale: f32,
+) -> Frame {
+    build_frame_on_the_way(scene, simulation, cameras, aspect, type_scale, None)
+}
+
+/// The same, on the way from another view.
+#[must_use]
+pub fn build_frame_on_the_way(
+    scene: &Scene,
+    simulation: &Simulation,
+    cameras: &Cameras,
+    aspect: f32,
+    type_scale: f32,
+    glide: Option<Glide<'_>>,
+) -> Frame {
     let settings = &scene.view;
     let palette = Palette::new(settings.theme);
-    let context = Context::new(scene, simulation, &palette);
-    let panes = areas(settings.layout, aspect)
+    let mut context = Context::new(scene, simulation, &palette);
+    context.type_scale = type_scale;
+    let glide = glide.unwrap_or(Glide { from: settings, part: 1.0 });
+    let panes = glide
+        .areas(settings.layout, aspect)
         .into_iter()
         .map(|(space, area)| {
             let mut pane = Pane::new(area, camera_of(&context, cameras, space), space.lift());
-            for object in OBJECTS.iter().filter(|object| object.space == space && is_shown(object, settings)) {
-                (object.draw)(&context, &mut pane);
+            for object in OBJECTS.iter().filter(|object| object.space == space) {
+                let weight = glide.weight(object, settings);
+                // At the very beginning all that comes is drawn unseen: its labels have their places.
+                if weight > 0.0 || is_shown(object, settings) {
+                    let held = Held::by(&pane);
+                    (object.draw)(&context, &mut pane);
+                    if weight < 1.0 {
+                        held.fade_since(&mut pane, weight);
+                    }
+                }
             }
             if !settings.labels {
                 pane.labels.clear();
@@ -366,7 +410,12 @@ pub fn build_frame(scene: &Scene, simulation: &Simulation, cameras: &Cameras, as
             pane
         })
         .collect();
-    Frame { background: palette.background, transparent: false, font_scale: settings.font_scale as f32, panes }
+    Frame {
+        background: palette.background,
+        transparent: false,
+        font_scale: settings.font_scale as f32 * type_scale,
+        panes,
+    }
 }
 
 #[cfg(test)]
@@ -391,6 +440,14 @@ mod tests {
         let mut file = SceneFile::default();
         file.view.hide = vec!["tip".to_owned()];
         file.view.show = vec!["annulus".to_owned()];
+        let shown = |file: &SceneFile| -> Result<Vec<&str>, SceneError> {
+            let items = items(&Scene::check(file)?.view);
+            Ok(items.into_iter().filter_map(|(object, is_shown)| is_shown.then_some(object.name)).collect())
+        };
+        let alone = SceneFile::parse("view = { hide = ['all', 'tip'], show = ['annulus', 'tip'] }")?;
+        assert_eq!(shown(&alone)?, ["annulus"]);
+        let all = SceneFile::parse("view = { show = ['all'], hide = ['tip'] }")?;
+        assert_eq!(shown(&all)?.len(), OBJECTS.len() - 1);
         let items = items(&Scene::check(&file)?.view);
         assert_eq!(items.len(), OBJECTS.len());
         for (object, is_shown) in items {

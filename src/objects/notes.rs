@@ -10,6 +10,8 @@ const LEGEND_SIZE: f32 = 17.0;
 /// Columns that it mostly has in half a picture, and the height of a row as a part of a pane's.
 const COLUMNS: usize = 2;
 const ROW_HEIGHT: f32 = 0.04;
+/// Most of a pane's height that it is given.
+const MOST_OF_A_PANE: f32 = 0.25;
 
 /// Of the world.
 pub(super) fn world(context: &Context<'_>, pane: &mut Pane) {
@@ -37,8 +39,10 @@ pub(super) fn legend_height(context: &Context<'_>, space: Space) -> f32 {
         return 0.0;
     }
     let columns = if context.scene.view.layout == Layout::Both { COLUMNS } else { 2 * COLUMNS };
+    // Larger type leaves room for fewer columns.
+    let columns = ((columns as f32 / context.type_scale) as usize).clamp(1, columns);
     let rows = (ghosts + 1).div_ceil(columns);
-    (ROW_HEIGHT * rows as f32).min(0.25)
+    (ROW_HEIGHT * context.type_scale.max(1.0) * rows as f32).min(MOST_OF_A_PANE * context.type_scale.clamp(1.0, 1.6))
 }
 
 fn caption(context: &Context<'_>, pane: &mut Pane, text: &str) {

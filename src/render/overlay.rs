@@ -7,6 +7,7 @@ use super::glyphs::{Glyphs, Letter};
 use super::labels::Box2;
 use super::notes;
 use super::pane::PaneUniform;
+use super::renderer::point_size;
 use super::text::{self, lay_out_labels};
 use crate::frame::{Color, Frame, Line, Marker};
 
@@ -33,19 +34,19 @@ pub struct Overlay {
 }
 
 /// The halo behind the texts of a frame, from the inmost part on: how far it reaches beyond the ink (pixels), its colour with
-/// its opacity there. `point` is the pixels a point.
+/// its opacity there, in a picture of this size.
 #[must_use]
-pub fn halo(frame: &Frame, point: f32) -> [(f32, Color); 2] {
-    let reach = text::HALO * point * frame.font_scale;
+pub fn halo(frame: &Frame, size: [u32; 2]) -> [(f32, Color); 2] {
+    let reach = text::HALO * point_size(size) * frame.font_scale;
     let color = |part: f32| frame.background.alpha(text::HALO_OPACITY * part);
     [(text::INNER_HALO * reach, color(1.0)), (reach, color(text::OUTER_HALO))]
 }
 
-/// What lies before each pane of a picture of this size, with `point` pixels a point.
+/// What lies before each pane of a picture of this size.
 #[must_use]
-pub fn overlays(frame: &Frame, [width, height]: [u32; 2], point: f32) -> Vec<Overlay> {
-    let point = point * frame.font_scale;
-    let picture = Vec2::new(width as f32, height as f32);
+pub fn overlays(frame: &Frame, size: [u32; 2]) -> Vec<Overlay> {
+    let point = point_size(size) * frame.font_scale;
+    let picture = Vec2::new(size[0] as f32, size[1] as f32);
     let mut glyphs = Glyphs::new();
     let panes = frame.panes.iter().map(|pane| {
         let pixels = pane.area.extent * picture;

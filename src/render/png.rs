@@ -15,8 +15,22 @@ pub type Remark = (&'static str, String);
 /// # Errors
 /// None but for a picture with no pixels.
 pub fn encode(pixels: &Pixels, transparent: bool, remarks: &[Remark]) -> Result<Vec<u8>, EncodingError> {
+    encode_marked(pixels, transparent, remarks, None)
+}
+
+/// As [`encode`], marked with this many pixels a metre, by which programs that set pages know how large it is.
+///
+/// # Errors
+/// None but for a picture with no pixels.
+pub fn encode_marked(
+    pixels: &Pixels,
+    transparent: bool,
+    remarks: &[Remark],
+    pixels_per_metre: Option<u32>,
+) -> Result<Vec<u8>, EncodingError> {
     let mut bytes = vec![];
     let mut encoder = encoder(&mut bytes, pixels.size, transparent);
+    encoder.set_pixel_dims(pixels_per_metre.map(density));
     for (keyword, text) in remarks {
         encoder.add_itxt_chunk((*keyword).to_owned(), text.clone())?;
     }
@@ -60,9 +74,15 @@ pub fn colours(pixels: &Pixels, transparent: bool) -> Vec<u8> {
     }
 }
 
-/// Whether the bytes are a whole PNG file of this size with these remarks: every check sum and the last row are there.
+/// So many pixels a metre both ways.
+fn density(pixels_per_metre: u32) -> png::PixelDimensions {
+    png::PixelDimensions { xppu: pixels_per_metre, yppu: pixels_per_metre, unit: png::Unit::Meter }
+}
+
+/// Whether the bytes are a whole PNG file of this size with these remarks and this mark: every check sum and the last row
+/// are there.
 #[must_use]
-pub fn is_whole(bytes: &[u8], size: [u32; 2], remarks: &[Remark]) -> bool {
+pub fn is_whole(bytes: &[u8], size: [u32; 2], remarks: &[Remark], pixels_per_metre: Option<u32>) -> bool {
     let Ok(mut reader) = png::Decoder::new(io::Cursor::new(bytes)).read_info() else { return false };
     let Some(length) = reader.output_buffer_size() else { return false };
     let mut pixels = vec![0; length];
@@ -73,7 +93,8 @@ pub fn is_whole(bytes: &[u8], size: [u32; 2], remarks: &[Remark]) -> bool {
     let is_said = |(keyword, text): &Remark| {
         info.utf8_text.iter().any(|chunk| chunk.keyword == *keyword && chunk.get_text().is_ok_and(|said| said == *text))
     };
-    [info.width, info.height] == size && remarks.iter().all(is_said)
+    let is_marked = info.pixel_dims.map(|dims| (dims.xppu, dims.yppu)) == pixels_per_metre.map(|count| (count, count));
+    is_marked && [info.width, info.height] == size && remarks.iter().all(is_said)
 }
 
 /// Divides the colours by the opacity.
@@ -93,7 +114,7 @@ fn straight(premultiplied: &[u8]) -> Vec<u8> {
 
 #[cfg(test)]
 mod tests {
-    use super::{EncodingError, Pixels, Remark, encode, is_whole};
+    use super::{EncodingError, Pixels, Remark, encode, encode_marked, is_whole};
 
     #[test]
     fn a_picture_comes_back_whole_with_what_it_says_of_itself() -> Result<(), EncodingError> {
@@ -102,10 +123,13 @@ mod tests {
         for (transparent, expected) in [(true, vec![128, 64, 0, 128, 9, 8, 7, 255]), (false, vec![64, 32, 0, 9, 8, 7])]
         {
             let bytes = encode(&pixels, transparent, &remarks)?;
-            assert!(is_whole(&bytes, [2, 1], &remarks));
-            assert!(!is_whole(&bytes[..bytes.len() - 1], [2, 1], &remarks));
-            assert!(!is_whole(&bytes, [1, 2], &remarks));
-            assert!(!is_whole(&bytes, [2, 1], &[("Title", "another".to_owned())]));
+            assert!(is_whole(&bytes, [2, 1], &remarks, None));
+            assert!(!is_whole(&bytes[..bytes.len() - 1], [2, 1], &remarks, None));
+            assert!(!is_whole(&bytes, [1, 2], &remarks, None));
+            assert!(!is_whole(&bytes, [2, 1], &[("Title", "another".to_owned())], None));
+            let marked = encode_marked(&pixels, transparent, &remarks, Some(23_622))?;
+            assert!(is_whole(&marked, [2, 1], &remarks, Some(23_622)));
+            assert!(!is_whole(&marked, [2, 1], &remarks, None) && !is_whole(&bytes, [2, 1], &remarks, Some(1)));
             let mut decoded = vec![0; expected.len()];
             let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().ok();
             assert!(reader.as_mut().is_some_and(|reader| reader.next_frame(&mut decoded).is_ok()));

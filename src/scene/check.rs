@@ -3,13 +3,28 @@
 use glam::{DMat3, DQuat, DVec3};
 
 use super::value::shortened;
-use super::{CameraFile, Part, PartKind, SceneFile, SpinFile, View, nearest, parts};
+use super::{CameraFile, Part, PartKind, SceneFile, SpinFile, StepFile, View, ViewFile, nearest, parts};
 use crate::physics::{
     self, Body, BodyError, METHODS, Method, State, methods::DEFAULT_METHOD, number, so3, solids::SolidError,
 };
 
 /// Step (s) of a scene that names none.
 const DEFAULT_STEP: f64 = 0.001;
+/// Slowest and fastest that time runs.
+pub const SPEEDS: (f64, f64) = (1.0 / 64.0, 8.0);
+/// What is refused of the cameras.
+const WORLD_CAMERA: [&str; 4] = [
+    "azimuth of the world's camera",
+    "elevation of the world's camera",
+    "distance of the world's camera",
+    "target of the world's camera",
+];
+const BODY_CAMERA: [&str; 4] = [
+    "azimuth of momentum space's camera",
+    "elevation of momentum space's camera",
+    "distance of momentum space's camera",
+    "target of momentum space's camera",
+];
 /// Edges (m) of the body of a scene that names none.
 pub const DEFAULT_EDGES: [f64; 3] = [0.2, 0.12, 0.04];
 
@@ -32,6 +47,8 @@ pub struct Scene {
     pub step: f64,
     /// How it is looked at.
     pub view: View,
+    /// The step of its telling at which it stands, counted from 0; none where it is shown as a whole.
+    pub at: Option<usize>,
 }
 
 /// Why a scene cannot be run. Each is one sentence with the value and what would be right.
@@ -75,6 +92,14 @@ pub enum SceneError {
     /// No such axis.
     #[error("spin axis {0} does not exist: axes are 1 (smallest moment), 2 and 3 (largest)")]
     NoSuchAxis(u8),
+    /// No such step.
+    #[error("step {given} does not exist: {}", steps(*.count))]
+    NoSuchStep {
+        /// The step asked for, counted from 1.
+        given: usize,
+        /// How many there are.
+        count: usize,
+    },
     /// A number out of its range.
     #[error("{name} {} is not valid: it must be {wanted}", number(*.value))]
     OutOfRange {
@@ -100,12 +125,35 @@ pub enum SceneError {
     TooFast(f64),
 }
 
+/// How many steps a scene has, in words.
+fn steps(count: usize) -> String {
+    match count {
+        0 => "this scene has no steps".to_owned(),
+        1 => "this scene has one step, number 1".to_owned(),
+        count => format!("this scene has the steps 1 to {count}"),
+    }
+}
+
 impl Scene {
-    /// Checks a scene and works out its body and start.
+    /// Checks a scene and works out its body and start, to be shown as a whole.
     ///
     /// # Errors
     /// See [`SceneError`].
     pub fn check(file: &SceneFile) -> Result<Self, SceneError> {
+        Self::check_at(file, None)
+    }
+
+    /// The same, to be shown as it is at this step, counted from 0.
+    ///
+    /// # Errors
+    /// See [`SceneError`].
+    pub fn check_at(file: &SceneFile, at: Option<usize>) -> Result<Self, SceneError> {
+        let count = file.steps.len();
+        if let Some(step) = at.filter(|step| *step >= count) {
+            return Err(SceneError::NoSuchStep { given: step.wrapping_add(1), count });
+        }
+        file.steps.iter().try_for_each(check_step)?;
+        check_view(&file.view)?;
         let (body, parts) = check_body(file)?;
         let start = check_start(file, &body)?;
         let method = named_method(file.motion.method.as_deref().unwrap_or(DEFAULT_METHOD))?;
@@ -113,7 +161,8 @@ impl Scene {
         // What is the body's own method is no ghost beside it.
         compare.retain(|other| other.name != method.name);
         let step = positive("step", file.motion.step.unwrap_or(DEFAULT_STEP))?;
-        Ok(Self { file: file.clone(), body, parts, start, method, compare, step, view: check_view(file)? })
+        let view = check_view(&file.view_at(at))?;
+        Ok(Self { file: file.clone(), body, parts, start, method, compare, step, view, at })
     }
 
     /// What is unusual about a scene that can all the same be run: a sentence each.
@@ -218,8 +267,19 @@ fn check_attitude(attitude: Option<[f64; 4]>) -> Result<DMat3, SceneError> {
     Ok(DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize()))
 }
 
-fn check_view(file: &SceneFile) -> Result<View, SceneError> {
-    let view = &file.view;
+fn check_step(step: &StepFile) -> Result<(), SceneError> {
+    check_camera(&step.world_camera, WORLD_CAMERA)?;
+    check_camera(&step.body_camera, BODY_CAMERA)?;
+    step.time.map_or(Ok(0.0), |time| finite("time of a step", time))?;
+    let speed = step.speed.unwrap_or(1.0);
+    if !(SPEEDS.0..=SPEEDS.1).contains(&speed.abs()) {
+        let wanted = "between 1/64 and 8, with a minus to run backwards";
+        return Err(SceneError::OutOfRange { name: "speed of a step", value: speed, wanted });
+    }
+    Ok(())
+}
+
+fn check_view(view: &ViewFile) -> Result<View, SceneError> {
     let both = CameraFile {
         azimuth_deg: view.azimuth_deg,
         elevation_deg: view.elevation_deg,
@@ -227,24 +287,8 @@ fn check_view(file: &SceneFile) -> Result<View, SceneError> {
         target: None,
     };
     check_camera(&both, ["azimuth", "elevation", "distance", "target"])?;
-    check_camera(
-        &view.world_camera,
-        [
-            "azimuth of the world's camera",
-            "elevation of the world's camera",
-            "distance of the world's camera",
-            "target of the world's camera",
-        ],
-    )?;
-    check_camera(
-        &view.body_camera,
-        [
-            "azimuth of momentum space's camera",
-            "elevation of momentum space's camera",
-            "distance of momentum space's camera",
-            "target of momentum space's camera",
-        ],
-    )?;
+    check_camera(&view.world_camera, WORLD_CAMERA)?;
+    check_camera(&view.body_camera, BODY_CAMERA)?;
     let font_scale = positive("font scale", view.font_scale.unwrap_or(1.0))?;
     if !(0.25..=8.0).contains(&font_scale) {
         return Err(SceneError::OutOfRange { name: "font scale", value: font_scale, wanted: "between 0.25 and 8" });
@@ -257,6 +301,7 @@ fn check_view(file: &SceneFile) -> Result<View, SceneError> {
         hide: view.hide.clone(),
         labels: view.labels.unwrap_or(true),
         font_scale,
+        slow_at_flip: view.slow_at_flip.unwrap_or(false),
         azimuth_deg: view.azimuth_deg,
         elevation_deg: view.elevation_deg,
         distance: view.distance,

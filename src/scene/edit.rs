@@ -3,7 +3,7 @@
 use super::field::{Kind, Wrong};
 use super::keys::{KEYS, Key, key, keys_of};
 use super::value::{Item, Value, shortened};
-use super::{SceneError, SceneFile, read, word};
+use super::{ALL, SceneError, SceneFile, read, word};
 
 /// One flag or `--set` with its value, read.
 #[derive(Clone, Debug)]
@@ -163,12 +163,13 @@ fn over(edits: &[Edit], file: &mut SceneFile, kept: &[&str]) {
     }
 }
 
-/// Adds names to a list, and takes them out of its opposite.
+/// Adds names to a list, and takes them out of its opposite, which the name of all empties.
 fn add(row: &Key, said: &SceneFile, file: &mut SceneFile) {
     append(row, said, file);
     if let Some(other) = key(row.opposite) {
         let added = names(row, said);
-        put(other, names(other, file).into_iter().filter(|name| !added.contains(name)).collect(), file);
+        let is_all = added.contains(&Value::Text(ALL.to_owned()).into());
+        put(other, names(other, file).into_iter().filter(|name| !is_all && !added.contains(name)).collect(), file);
     }
 }
 
@@ -287,6 +288,8 @@ mod tests {
             (&file.view.show[..], &file.view.hide[..]),
             (&["a", "c", "e"].map(String::from)[..], &["d", "b"].map(String::from)[..])
         );
+        let file = over(&base, &["--show", "e", "--hide", "all"])?;
+        assert_eq!((&file.view.show[..], &file.view.hide[..]), (&[][..], &["c", "d", "all"].map(String::from)[..]));
         let file = over(&base, &["--set", "view.show=['e']"])?;
         assert_eq!((&file.view.show[..], &file.view.hide[..]), (&["e".to_owned()][..], &base.view.hide[..]));
         Ok(())
@@ -314,7 +317,10 @@ mod tests {
     fn what_cannot_be_said_is_refused() {
         for (words, sentence) in [
             (&["--set", "spin.rate"][..], "`spin.rate` has no value: KEY=VALUE is wanted, as in spin.rate=6"),
-            (&["--set", "=3"], "unknown key ``; known here are title, text, question, order, body, spin, motion, view"),
+            (
+                &["--set", "=3"],
+                "unknown key ``; known here are title, text, question, answer, order, body, spin, motion, view, step",
+            ),
             (&["--set", "spin.rat=3"], "unknown key `spin.rat`; the nearest known key is `spin.rate`"),
             (&["--set", "spin.rat="], "unknown key `spin.rat`; the nearest known key is `spin.rate`"),
             (&["--set", "spin=3"], "spin is the number 3: it must be a table"),

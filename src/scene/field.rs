@@ -1,8 +1,8 @@
 //! What can stand for a key: each type of a scene's fields read from a value, and written as one.
 
-use super::keys::{Key, SOLID_KEYS};
+use super::keys::{Key, SOLID_KEYS, STEP_KEYS};
 use super::value::{Entry, Item, Value};
-use super::{CameraFile, Layout, PartKind, SolidFile, Theme, TimeUnit, read};
+use super::{CameraFile, Layout, PartKind, SolidFile, StepFile, Theme, TimeUnit, read};
 
 /// What kind of value a key takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +25,8 @@ pub enum Kind {
     Names,
     /// Solids, each a table.
     Solids,
+    /// Steps, each a table.
+    Steps,
 }
 
 impl Kind {
@@ -44,6 +46,7 @@ impl Kind {
             },
             Self::Names => "an array of names in quotes".to_owned(),
             Self::Solids => "an array of solids, one at least".to_owned(),
+            Self::Steps => "an array of steps, each a table [[step]]".to_owned(),
         }
     }
 }
@@ -202,6 +205,23 @@ impl Single for SolidFile {
         let entry =
             |key: &Key<Self>| Some(Entry { key: key.own_name().to_owned(), start: 0, item: key.get(self)?.into() });
         Value::Table(SOLID_KEYS.iter().filter_map(entry).collect())
+    }
+}
+
+impl Single for StepFile {
+    const KIND: Kind = Kind::Steps;
+    const MANY: Kind = Kind::Steps;
+    fn read(item: &Item) -> Result<Self, Refused> {
+        match &item.value {
+            Value::Table(entries) => read::step(entries).map_err(Refused::Wrong),
+            _ => Err(Refused::other(item)),
+        }
+    }
+    fn write(&self) -> Value {
+        // A camera by its keys one by one: `world_camera.distance`.
+        let own_name = |key: &Key<Self>| key.name.strip_prefix("step.").unwrap_or(key.name).to_owned();
+        let entry = |key: &Key<Self>| Some(Entry { key: own_name(key), start: 0, item: key.get(self)?.into() });
+        Value::Table(STEP_KEYS.iter().filter(|key| !key.is_short).filter_map(entry).collect())
     }
 }
 

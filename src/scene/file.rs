@@ -1,6 +1,6 @@
 //! A scene as it is written: what each key of [`super::KEYS`] fills.
 
-use super::{Layout, PartKind, Theme, TimeUnit};
+use super::{Layout, PartKind, StepFile, Theme, TimeUnit};
 
 /// A scene file. Every part may be left out; [`super::Scene::check`] says what then holds.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -11,6 +11,8 @@ pub struct SceneFile {
     pub text: String,
     /// A question to the class.
     pub question: String,
+    /// What the question is answered by, once it is asked for.
+    pub answer: String,
     /// Place among the presets, ascending.
     pub order: Option<i64>,
     /// The body.
@@ -21,6 +23,8 @@ pub struct SceneFile {
     pub motion: MotionFile,
     /// How it is looked at.
     pub view: ViewFile,
+    /// The steps in which it is told.
+    pub steps: Vec<StepFile>,
 }
 
 /// The body: just one of `box`, `moments`, `inertia`, `solids`.
@@ -98,6 +102,8 @@ pub struct ViewFile {
     pub labels: Option<bool>,
     /// Factor on text and lines.
     pub font_scale: Option<f64>,
+    /// Whether the clock slows round each flip.
+    pub slow_at_flip: Option<bool>,
     /// Direction of both cameras round the vertical (degrees).
     pub azimuth_deg: Option<f64>,
     /// Height of both cameras above the horizon (degrees).

@@ -3,7 +3,7 @@
 
 use super::field::{Field, Kind, Refused, Wrong};
 use super::value::{Item, Value};
-use super::{SceneFile, SolidFile};
+use super::{SceneFile, SolidFile, StepFile};
 
 /// A key of a scene file.
 #[derive(Clone, Copy, Debug)]
@@ -144,6 +144,7 @@ pub static KEYS: &[Key] = &[
     key!("title", title, "", "Name of the slide, in a few words"),
     key!("text", text, "", "Two or three sentences"),
     key!("question", question, "", "A question to the class"),
+    key!("answer", answer, "", "Its answer, which is shown when it is asked for"),
     key!("order", order, "", "Place among the scenes, ascending"),
     key!("body.box", body.edges, "m", "Edges of a solid box along the body's axes")
         .flag("box", "A,B,C")
@@ -193,6 +194,7 @@ pub static KEYS: &[Key] = &[
     key!("view.labels", view.labels, "", "Names beside things").flag("labels", "on|off"),
     key!("view.font_scale", view.font_scale, "", "Factor on the size of text and the width of lines")
         .flag("font-scale", "X"),
+    key!("view.slow_at_flip", view.slow_at_flip, "", "Whether the clock slows round each flip"),
     key!("view.azimuth_deg", view.azimuth_deg, "degrees", "Camera's direction round the vertical")
         .flag("azimuth", "DEG")
         .once("view.azimuth"),
@@ -259,6 +261,7 @@ pub static KEYS: &[Key] = &[
         "",
         "Point that momentum space's camera looks at; the sphere has radius 1"
     ),
+    key!("step", steps, "", "Steps in which it is told, each a table [[step]]; what one leaves out stays as before"),
 ];
 
 /// Whatever can be said of one of `body.solids`.
@@ -282,6 +285,54 @@ pub static SOLID_KEYS: &[Key<SolidFile>] = &[
     key!(SolidFile, "body.solids.density", density, "kg/m³", "Density; that of water, 1000, where left out"),
 ];
 
+/// Whatever can be said of one `step`.
+pub static STEP_KEYS: &[Key<StepFile>] = &[
+    key!(StepFile, "step.text", text, "", "What is said, in place of the scene's text"),
+    key!(StepFile, "step.show", show, "", "Objects shown from here on; \"all\" for every one"),
+    key!(StepFile, "step.hide", hide, "", "Objects hidden from here on, but for those shown; \"all\" for every one"),
+    key!(StepFile, "step.layout", layout, "", "Which spaces to show"),
+    key!(StepFile, "step.world_camera", world_camera, "", "Camera of the world in short: the four keys below")
+        .in_short(),
+    key!(
+        StepFile,
+        "step.world_camera.azimuth_deg",
+        world_camera.azimuth_deg,
+        "degrees",
+        "As view.world_camera.azimuth_deg"
+    ),
+    key!(
+        StepFile,
+        "step.world_camera.elevation_deg",
+        world_camera.elevation_deg,
+        "degrees",
+        "As view.world_camera.elevation_deg"
+    ),
+    key!(StepFile, "step.world_camera.distance", world_camera.distance, "", "As view.world_camera.distance"),
+    key!(StepFile, "step.world_camera.target", world_camera.target, "", "As view.world_camera.target"),
+    key!(StepFile, "step.body_camera", body_camera, "", "Camera of momentum space in short: the four keys below")
+        .in_short(),
+    key!(
+        StepFile,
+        "step.body_camera.azimuth_deg",
+        body_camera.azimuth_deg,
+        "degrees",
+        "As view.body_camera.azimuth_deg"
+    ),
+    key!(
+        StepFile,
+        "step.body_camera.elevation_deg",
+        body_camera.elevation_deg,
+        "degrees",
+        "As view.body_camera.elevation_deg"
+    ),
+    key!(StepFile, "step.body_camera.distance", body_camera.distance, "", "As view.body_camera.distance"),
+    key!(StepFile, "step.body_camera.target", body_camera.target, "", "As view.body_camera.target"),
+    key!(StepFile, "step.time", time, "s", "Time that is gone to"),
+    key!(StepFile, "step.speed", speed, "", "Simulated seconds a real second; negative runs backwards"),
+    key!(StepFile, "step.pause", pause, "", "Whether time stands"),
+    key!(StepFile, "step.slow_at_flip", slow_at_flip, "", "Whether the clock slows round each flip"),
+];
+
 /// The key of this name, or of this earlier name.
 #[must_use]
 pub fn key(name: &str) -> Option<&'static Key> {
@@ -295,7 +346,7 @@ pub(super) fn keys_of(table: &str) -> impl Iterator<Item = &'static Key> {
 
 #[cfg(test)]
 mod tests {
-    use super::{KEYS, Key, SOLID_KEYS, key, keys_of};
+    use super::{KEYS, Key, SOLID_KEYS, STEP_KEYS, key, keys_of};
     use crate::scene::Kind;
 
     /// The flags that scripts rest on, each with the key that it gives.
@@ -335,7 +386,7 @@ mod tests {
     #[test]
     fn the_table_holds_together() {
         let mut names: Vec<&str> = KEYS.iter().flat_map(|key| [key.name, key.other_name]).collect();
-        names.extend(SOLID_KEYS.iter().map(|key| key.name));
+        names.extend(SOLID_KEYS.iter().map(|key| key.name).chain(STEP_KEYS.iter().map(|key| key.name)));
         names.retain(|name| !name.is_empty());
         let count = names.len();
         names.sort_unstable();
@@ -358,6 +409,7 @@ mod tests {
         assert_eq!(tables, in_file);
         let solids = KEYS.iter().filter(|key| key.kind == Kind::Solids);
         assert!(solids.eq(keys_of("body").last()), "solids are the last of the body");
+        assert!(KEYS.last().is_some_and(|key| key.kind == Kind::Steps), "steps are the last of all");
     }
 
     impl PartialEq for Key {
@@ -391,6 +443,7 @@ mod tests {
             (Kind::Choice(&["a", "b", "c"]), "a, b or c"),
             (Kind::Names, "an array of names in quotes"),
             (Kind::Solids, "an array of solids, one at least"),
+            (Kind::Steps, "an array of steps, each a table [[step]]"),
         ] {
             assert_eq!(kind.words(), words);
         }

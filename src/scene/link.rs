@@ -19,6 +19,8 @@ use crate::physics::number;
 const LONGEST: usize = 1 << 18;
 /// Longest text that a link may hold (bytes): as long as that of a file.
 const LONGEST_TEXT: usize = 1 << 20;
+/// The key of the step at which the scene is shown.
+const STEP: &str = "scene-step";
 /// Effort of packing, of 10.
 const EFFORT: u8 = 9;
 /// What a key or a value holds as it is: what no program takes for the end of a link.
@@ -33,6 +35,8 @@ pub struct Link {
     pub file: SceneFile,
     /// The time (s) at which it is shown, where it says one.
     pub time: Option<f64>,
+    /// The step at which it is shown, counted from 0, where it says one.
+    pub step: Option<usize>,
 }
 
 /// Whether a word that names a scene is a link: it begins with `#`, or is an address with a `#` in it.
@@ -57,12 +61,13 @@ pub fn read(link: &str) -> Result<Link, SceneError> {
     let name = if name.is_empty() && !own { DEFAULT_PRESET.to_owned() } else { decoded(name)? };
     let (mut file, name) = if own { (SceneFile::default(), None) } else { (preset(&name)?.read()?, Some(name)) };
     let mut edits = Edits::default();
-    let mut time = None;
+    let (mut time, mut step) = (None, None);
     for pair in rest.split('&').filter(|pair| !pair.is_empty()) {
         let (key, value) = pair.split_once('=').unwrap_or((pair, ""));
         match key {
             "scene" if own => file = unpacked(value)?,
             "time" => time = Some(time_of(&decoded(value)?)?),
+            STEP => step = Some(step_of(&decoded(value)?)?),
             _ if !pair.contains('=') => {
                 return Err(SceneError::NotALink(format!("has `{}` without a value", shortened(pair))));
             }
@@ -70,13 +75,19 @@ pub fn read(link: &str) -> Result<Link, SceneError> {
         }
     }
     edits.apply(&mut file);
-    Ok(Link { name, file, time })
+    Ok(Link { name, file, time, step })
 }
 
 /// Writes the link of a scene from its `#` on: where a built-in scene of this name is near, what differs from it, else
 /// the whole scene.
 #[must_use]
 pub fn write(name: Option<&str>, file: &SceneFile, time: Option<f64>) -> String {
+    write_at(name, file, None, time)
+}
+
+/// The same, of the scene at this step, counted from 0.
+#[must_use]
+pub fn write_at(name: Option<&str>, file: &SceneFile, step: Option<usize>, time: Option<f64>) -> String {
     let base = name.and_then(|name| Some((name, preset(name).ok()?.read().ok()?)));
     let whole = format!("#scene={}", packed(file));
     let mut link = match base {
@@ -93,9 +104,10 @@ pub fn write(name: Option<&str>, file: &SceneFile, time: Option<f64>) -> String 
             if link.len() > whole.len() { whole } else { link }
         }
     };
-    if let Some(time) = time {
+    let step = step.map(|step| (STEP, (step + 1).to_string()));
+    for (key, value) in step.into_iter().chain(time.map(|time| ("time", number(time)))) {
         link.push(if link.contains('?') || link.starts_with("#scene=") { '&' } else { '?' });
-        link.extend(["time=", &number(time)]);
+        link.extend([key, "=", &value]);
     }
     link
 }
@@ -124,6 +136,11 @@ fn decoded(text: &str) -> Result<String, SceneError> {
     }
 }
 
+fn step_of(text: &str) -> Result<usize, SceneError> {
+    let step = text.parse::<usize>().ok().and_then(|step| step.checked_sub(1));
+    step.ok_or_else(|| SceneError::NotALink(format!("has the step `{}`: it must be 1 or more", shortened(text))))
+}
+
 fn time_of(text: &str) -> Result<f64, SceneError> {
     text.parse::<f64>().ok().filter(|time| time.is_finite()).ok_or_else(|| {
         SceneError::NotALink(format!("has the time `{}`: it must be a finite number (s)", shortened(text)))
@@ -132,7 +149,7 @@ fn time_of(text: &str) -> Result<f64, SceneError> {
 
 #[cfg(test)]
 mod tests {
-    use super::{LONGEST, is_link, packed, read, write};
+    use super::{LONGEST, is_link, packed, read, write, write_at};
     use crate::scene::{SceneError, SceneFile, preset};
 
     fn refused(link: &str) -> String {
@@ -189,6 +206,11 @@ mod tests {
             let read = read(&own)?;
             assert_eq!((read.name, read.file, read.time), (None, file.clone(), Some(1.0)));
         }
+        for name in [None, Some("flip")] {
+            let link = write_at(name, &file, Some(2), Some(1.0));
+            assert!(link.ends_with("&scene-step=3&time=1"), "{link}");
+            assert_eq!(read(&link).map(|read| (read.file, read.step, read.time))?, (file.clone(), Some(2), Some(1.0)));
+        }
         // A whole scene that is shorter than what differs.
         let methods = preset("methods")?.read()?;
         assert!(write(Some("flip"), &methods, None).starts_with("#scene="));
@@ -212,8 +234,9 @@ mod tests {
             ("#flip?spin.rate", "the link has `spin.rate` without a value"),
             (
                 "#flip?scene=abc",
-                "unknown key `scene`; known here are title, text, question, order, body, spin, motion, view",
+                "unknown key `scene`; known here are title, text, question, answer, order, body, spin, motion, view, step",
             ),
+            ("#flip?scene-step=0", "the link has the step `0`: it must be 1 or more"),
             ("#flip?time=", "the link has the time ``: it must be a finite number (s)"),
             ("#flip?time=soon", "the link has the time `soon`: it must be a finite number (s)"),
             ("#flip?time=inf", "the link has the time `inf`: it must be a finite number (s)"),

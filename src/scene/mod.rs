@@ -16,6 +16,7 @@ mod nearest;
 mod parts;
 mod presets;
 mod read;
+mod step;
 #[cfg(test)]
 mod tests;
 mod value;
@@ -23,14 +24,15 @@ mod view;
 mod word;
 mod write;
 
-pub use check::{DEFAULT_EDGES, Scene, SceneError};
+pub use check::{DEFAULT_EDGES, SPEEDS, Scene, SceneError};
 pub use command::{flags, quoted};
 pub use edit::{Edit, Edits};
 pub use field::Kind;
 pub use file::{BodyFile, CameraFile, MotionFile, SceneFile, SolidFile, SpinFile, ViewFile};
-pub use keys::{Flag, KEYS, Key, SOLID_KEYS, key};
+pub use keys::{Flag, KEYS, Key, SOLID_KEYS, STEP_KEYS, key};
 pub use nearest::nearest;
 pub use parts::{Part, PartKind};
 pub use presets::{DEFAULT_PRESET, Preset, preset, presets};
+pub use step::{ALL, Pace, StepFile};
 pub use value::{Entry, Item, Value};
 pub use view::{Layout, Theme, TimeUnit, View};

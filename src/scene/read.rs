@@ -3,9 +3,9 @@
 use toml::de::DeTable;
 
 use super::field::Wrong;
-use super::keys::{KEYS, Key, SOLID_KEYS, key, keys_of};
+use super::keys::{KEYS, Key, SOLID_KEYS, STEP_KEYS, key, keys_of};
 use super::value::{Entry, Item, Value, entries, shortened};
-use super::{SceneError, SceneFile, SolidFile, nearest};
+use super::{SceneError, SceneFile, SolidFile, StepFile, nearest};
 
 /// The keys without which a solid is none.
 const NEEDED: [&str; 2] = ["kind", "size"];
@@ -79,17 +79,40 @@ fn read_table(
 /// Reads a solid that stands at this byte.
 pub(super) fn solid(entries: &[Entry], start: usize) -> Result<SolidFile, Wrong> {
     let mut solid = SolidFile::default();
-    for entry in entries {
-        let Some(key) = SOLID_KEYS.iter().find(|key| key.own_name() == entry.key) else {
-            let message = unknown_among(&entry.key, "body.solids.", SOLID_KEYS.iter().map(Key::own_name));
-            return Err(Wrong { start: entry.start, message });
-        };
-        key.read(Some(&entry.item), &mut solid)?;
-    }
+    read_one("body.solids.", entries, SOLID_KEYS, &mut solid)?;
     match NEEDED.into_iter().find(|needed| entries.iter().all(|entry| entry.key != *needed)) {
         Some(needed) => Err(Wrong { start, message: format!("this solid has no {needed}: every solid needs one") }),
         None => Ok(solid),
     }
+}
+
+/// Reads a step.
+pub(super) fn step(entries: &[Entry]) -> Result<StepFile, Wrong> {
+    let mut step = StepFile::default();
+    read_one("step.", entries, STEP_KEYS, &mut step)?;
+    Ok(step)
+}
+
+/// Reads a table that is one of a list, by the keys whose names begin so.
+fn read_one<Holder>(prefix: &str, entries: &[Entry], keys: &[Key<Holder>], holder: &mut Holder) -> Result<(), Wrong> {
+    for Entry { key: own, start, item } in entries {
+        let name = format!("{prefix}{own}");
+        let parts = format!("{name}.");
+        let is_known = |key: &&Key<Holder>| key.name == name && !own.contains('.');
+        match (&item.value, keys.iter().find(is_known)) {
+            (Value::Table(entries), _) if keys.iter().any(|key| key.name.starts_with(&parts)) => {
+                read_one(&parts, entries, keys, holder)?;
+            }
+            (_, Some(key)) => key.read(Some(item), holder)?,
+            (_, None) => {
+                let mut known: Vec<&str> =
+                    keys.iter().filter_map(|key| key.name.strip_prefix(prefix)?.split('.').next()).collect();
+                known.dedup();
+                return Err(Wrong { start: *start, message: unknown_among(own, prefix, known) });
+            }
+        }
+    }
+    Ok(())
 }
 
 /// What is said of a key that is none.
@@ -348,7 +371,7 @@ distance = 3
             ("rate = 1", "line 1: unknown key `rate`; the nearest known key is `spin.rate`"),
             (
                 "xyz = 1",
-                "line 1: unknown key `xyz`; known here are title, text, question, order, body, spin, motion, view",
+                "line 1: unknown key `xyz`; known here are title, text, question, answer, order, body, spin, motion, view, step",
             ),
             (
                 "view.world_camera.azimut_deg = 1",
@@ -362,7 +385,7 @@ distance = 3
             ("'spin.rat' = 1", "line 1: unknown key `spin.rat`; the nearest known key is `spin.rate`"),
             (
                 "\"a\\nb\" = 1",
-                "line 1: unknown key `a\\nb`; known here are title, text, question, order, body, spin, motion, view",
+                "line 1: unknown key `a\\nb`; known here are title, text, question, answer, order, body, spin, motion, view, step",
             ),
             ("spin.rate.x = 1", "line 1: spin.rate is a table: it must be a number (rad/s)"),
             // TOML.

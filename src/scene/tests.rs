@@ -3,8 +3,8 @@
 use super::edit::Edits;
 use super::keys::KEYS;
 use super::{
-    BodyFile, CameraFile, Layout, MotionFile, PartKind, Scene, SceneError, SceneFile, SolidFile, SpinFile, Theme,
-    TimeUnit, ViewFile, flags, link, presets,
+    BodyFile, CameraFile, Layout, MotionFile, PartKind, Scene, SceneError, SceneFile, SolidFile, SpinFile, StepFile,
+    Theme, TimeUnit, ViewFile, flags, link, presets,
 };
 use crate::physics::METHODS;
 
@@ -158,11 +158,28 @@ impl Random {
             hide: self.names(&objects),
             labels: self.maybe(|it| it.is(2)),
             font_scale: self.maybe(|it| 0.25 + it.share()),
+            slow_at_flip: self.maybe(|it| it.is(2)),
             azimuth_deg: self.maybe(Self::number),
             elevation_deg: self.maybe(Self::number),
             distance: self.maybe(|it| it.positive(-3, 3)),
             world_camera: self.camera(),
             body_camera: self.camera(),
+        }
+    }
+
+    fn step(&mut self) -> StepFile {
+        let objects = ["all", "body", "plane", "tip"];
+        StepFile {
+            text: self.text(),
+            show: self.names(&objects),
+            hide: self.names(&objects),
+            layout: self.maybe(|it| it.pick(&[Layout::Both, Layout::World, Layout::Body])),
+            world_camera: self.camera(),
+            body_camera: self.camera(),
+            time: self.maybe(Self::number),
+            speed: self.maybe(|it| it.pick(&[0.25, 0.1, 1.0, -2.0])),
+            pause: self.maybe(|it| it.is(2)),
+            slow_at_flip: self.maybe(|it| it.is(2)),
         }
     }
 
@@ -172,6 +189,7 @@ impl Random {
             title: self.text(),
             text: self.text(),
             question: self.text(),
+            answer: self.text(),
             order: self.maybe(|it| it.next().cast_signed()),
             body: self.body(),
             spin: self.spin(),
@@ -181,6 +199,7 @@ impl Random {
                 compare: self.names(&methods),
             },
             view: self.view(),
+            steps: if self.is(2) { vec![] } else { (0..self.below(4)).map(|_| self.step()).collect() },
         }
     }
 
@@ -239,6 +258,9 @@ fn random_scenes_come_back_from_text_flags_and_links() -> Result<(), String> {
         let other = random.scene();
         let file = if random.is(2) { random.mixed(&base, &other) } else { other };
         Scene::check(&file).map_err(|error| format!("seed {seed}: {error}: {}", file.to_toml()))?;
+        for step in 0..file.steps.len() {
+            Scene::check_at(&file, Some(step)).map_err(|error| format!("seed {seed}: step {step}: {error}"))?;
+        }
         round_trips(&base, &file, &[random.pick(&STARTS)]).map_err(|error| format!("seed {seed}: {error}"))?;
     }
     Ok(())

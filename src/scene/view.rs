@@ -62,6 +62,8 @@ pub struct View {
     pub labels: bool,
     /// Factor on the size of text and the width of lines.
     pub font_scale: f64,
+    /// Whether the clock slows round each flip.
+    pub slow_at_flip: bool,
     /// The camera's direction round the vertical (degrees), where the scene sets one.
     pub azimuth_deg: Option<f64>,
     /// The camera's height above the horizon (degrees), where the scene sets one.

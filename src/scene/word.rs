@@ -22,6 +22,7 @@ pub(super) fn read(kind: Kind, word: &str) -> Result<Item, String> {
         Kind::Names if word.is_empty() => Value::List(vec![]),
         Kind::Names => Value::List(word.split(',').map(|name| Value::Text(name.trim().to_owned()).into()).collect()),
         Kind::Solids => return Err("solids are given by --set body.solids=[…]".to_owned()),
+        Kind::Steps => return Err("steps are given by --set step=[…]".to_owned()),
     };
     Ok(value.into())
 }

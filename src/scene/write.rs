@@ -23,16 +23,13 @@ impl SceneFile {
                     for entries in tables {
                         toml.extend(["\n[[", key.name, "]]\n"]);
                         for entry in entries {
-                            toml.extend([&entry.key, " = ", &entry.item.value.to_toml(), "\n"]);
+                            toml.extend([&entry.key, " = ", &written(&entry.item.value), "\n"]);
                         }
                     }
                     // Whatever follows opens its own table again.
                     open = key.name;
                 }
-                (None, Value::Text(text)) if text.contains('\n') => {
-                    toml.extend([own, " = ", &in_lines(text), "\n"]);
-                }
-                (None, value) => toml.extend([own, " = ", &value.to_toml(), "\n"]),
+                (None, value) => toml.extend([own, " = ", &written(value), "\n"]),
             }
         }
         toml
@@ -47,6 +44,14 @@ fn tables(value: &Value) -> Option<Vec<&Vec<super::value::Entry>>> {
         _ => None,
     });
     tables.collect::<Option<Vec<_>>>().filter(|tables| !tables.is_empty())
+}
+
+/// A value as it stands in a file.
+fn written(value: &Value) -> String {
+    match value {
+        Value::Text(text) if text.contains('\n') => in_lines(text),
+        value => value.to_toml(),
+    }
 }
 
 /// A text with its line breaks as they are.

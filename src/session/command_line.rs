@@ -2,10 +2,18 @@
 
 use crate::scene::{SceneFile, flags, quoted};
 
-/// The command for a scene at a time (s) in a picture of this size, said as what differs from the scene of this name.
-pub(super) fn shot(name: &str, base: &SceneFile, file: &SceneFile, time: f64, size: [u32; 2]) -> String {
+/// The command for a scene at a step and a time (s) in a picture of this size, said as what differs from the scene of this name.
+pub(super) fn shot(
+    name: &str,
+    base: &SceneFile,
+    file: &SceneFile,
+    step: Option<usize>,
+    time: f64,
+    size: [u32; 2],
+) -> String {
     let mut words = vec!["dzhanibekov".to_owned(), "shot".to_owned(), name.to_owned()];
     words.extend(flags(base, file));
+    words.extend(step.into_iter().flat_map(|step| ["--scene-step".to_owned(), (step + 1).to_string()]));
     words.extend([
         "--time".to_owned(),
         rounded_time(time).to_string(),

@@ -7,7 +7,7 @@ use super::undo::{Kind, Moment};
 use super::{Effect, Session, command_line, keep_choices, start};
 use crate::objects::{self, Cameras};
 use crate::physics::{Motion, so3};
-use crate::scene::{SceneFile, SpinFile};
+use crate::scene::{SceneFile, SpinFile, ViewFile};
 use crate::sim::Simulation;
 use crate::ui::{Pixels, path_in};
 use web_time::Instant;
@@ -144,8 +144,8 @@ impl Session {
     }
 
     fn return_to(&mut self, moment: Moment) {
-        let is_other = moment.opened != self.opened;
-        if let Err(error) = self.set(&moment.file) {
+        let is_other = moment.opened != self.opened || moment.at != self.scene.at;
+        if let Err(error) = self.set_at(&moment.file, moment.at) {
             return self.say(error.to_string());
         }
         self.opened = moment.opened;
@@ -216,7 +216,10 @@ impl Session {
                     place: self.opened.place,
                 };
                 let title = Slide { name: open.name.clone(), file: Ok(opened.file.clone()) }.title();
-                if self.open(Opened { title, ..opened }) {
+                // Who writes a step sees that step.
+                let at = self.scene.at.filter(|step| *step < opened.file.steps.len());
+                let at = at.or(opened.file.first_step());
+                if self.open_at(Opened { title, ..opened }, at) {
                     self.undo.note(Kind::Whole, before, now);
                     self.say(format!("{} was changed, and read again.", open.name));
                 }
@@ -282,28 +285,43 @@ impl Session {
         self.open(self.opened.clone());
     }
 
-    /// Opens a scene, running at its own pace; false where it is none.
+    /// Opens a scene at the beginning of its telling, running at its own pace; false where it is none.
     fn open(&mut self, opened: Opened) -> bool {
+        let at = opened.file.first_step();
+        self.open_at(opened, at)
+    }
+
+    /// The same, at this step.
+    fn open_at(&mut self, opened: Opened, at: Option<usize>) -> bool {
         let mut file = opened.file.clone();
         keep_choices(&mut file.view, &self.scene.file.view);
-        if let Err(error) = self.set(&file) {
+        if let Err(error) = self.set_at(&file, at) {
             self.say(format!("{}: {error}", opened.name));
             return false;
         }
         self.say_nothing();
         self.cameras = Cameras::new(&self.scene.view);
+        self.origin = None;
         self.opened = opened;
         self.saved = None;
-        self.sim.clock.speed = 1.0;
-        self.sim.clock.paused = false;
+        self.shown.answer = false;
         self.restart_time();
+        self.begin_pace();
         true
     }
 
     /// The scene's text with the cameras as they are.
     fn file_as_seen(&self) -> SceneFile {
         let mut file = self.scene.file.clone();
-        self.cameras.write(&self.scene.view, &mut file.view);
+        match self.scene.at.and_then(|step| file.steps.get_mut(step)) {
+            None => self.cameras.write(&self.scene.view, &mut file.view),
+            Some(step) => {
+                let mut seen = ViewFile::default();
+                self.cameras.write(&self.scene.view, &mut seen);
+                step.world_camera = seen.world_camera.over(&step.world_camera);
+                step.body_camera = seen.body_camera.over(&step.body_camera);
+            }
+        }
         file
     }
 
@@ -346,7 +364,7 @@ impl Session {
             None => (&self.opened.name, self.opened.base.as_ref().unwrap_or(&self.opened.file)),
         };
         let size = self.picture_size.as_uvec2().to_array();
-        let line = command_line::shot(name, base, &self.file_as_seen(), self.sim.time(), size);
+        let line = command_line::shot(name, base, &self.file_as_seen(), self.scene.at, self.sim.time(), size);
         self.say(format!("Copied: {line}"));
         vec![Effect::CopyText(line)]
     }

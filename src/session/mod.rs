@@ -13,6 +13,7 @@ mod remember;
 mod slides;
 mod spin;
 mod start;
+mod steps;
 #[cfg(test)]
 mod tests;
 mod time;
@@ -22,10 +23,10 @@ mod view;
 use web_time::{Duration, Instant};
 
 use crate::frame::Frame;
-use crate::objects::{self, Cameras};
+use crate::objects::{self, Cameras, Glide};
 use crate::physics::Motion;
-use crate::scene::{Scene, SceneError, SceneFile, Theme, ViewFile};
-use crate::sim::{FlipWatch, History, Simulation};
+use crate::scene::{Scene, SceneError, SceneFile, Theme, View, ViewFile};
+use crate::sim::{FlipWatch, History, Simulation, Slowing};
 use crate::ui::{Command, Look, Pixels, Preview, Shown, Timeline};
 
 pub use command_line::slug;
@@ -40,9 +41,11 @@ use undo::{Kind, Moment, Undo};
 const MESSAGE_TIME: Duration = Duration::from_secs(3);
 const READING_TIME: Duration = Duration::from_millis(60);
 
+/// How long a picture glides from one step to the next.
+const GLIDE_TIME: Duration = Duration::from_millis(500);
+
 /// How to go on, said once at the beginning.
-const FIRST_WORDS: &str =
-    "Space plays and pauses · PageDown next scene · drag to turn · click the sphere for another start · H all keys";
+const FIRST_WORDS: &str = "PageDown goes on · Space plays and pauses · drag to turn · H all keys";
 
 /// The state behind a front end.
 #[derive(Debug)]
@@ -53,9 +56,17 @@ pub struct Session {
     /// The exact motion from the scene's start.
     motion: Motion,
     cameras: Cameras,
+    /// From where the picture glides to what it is to be.
+    origin: Option<Origin>,
+    /// Whether pictures glide from step to step.
+    glides: bool,
     history: History,
     flips: FlipWatch,
     timeline: Timeline,
+    /// Where the clock slows, if it does.
+    slowing: Option<Slowing>,
+    /// The flip (s) that is run through again and again.
+    looped: Option<f64>,
     preview: Option<Preview>,
     slides: Vec<Slide>,
     titles: Vec<String>,
@@ -74,6 +85,14 @@ pub struct Session {
     jumps: u64,
 }
 
+/// From where a picture glides to another step.
+#[derive(Clone, Debug)]
+struct Origin {
+    view: View,
+    cameras: Cameras,
+    begun: Instant,
+}
+
 /// What the picture depends on: it is drawn again where this has changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Seen {
@@ -81,6 +100,7 @@ struct Seen {
     time: f64,
     cameras: Cameras,
     size: Pixels,
+    glided: f32,
 }
 
 impl Session {
@@ -111,9 +131,13 @@ impl Session {
             sim: Simulation::new(&scene),
             motion: Motion::new(&scene.body, &scene.start),
             cameras: Cameras::new(&scene.view),
+            origin: None,
+            glides: true,
             history: History::default(),
             flips: FlipWatch::default(),
             timeline: Timeline { low: 0.0, high: 10.0, first_flip: None, period: None },
+            slowing: None,
+            looped: None,
             preview: None,
             titles: slides.iter().map(Slide::title).collect(),
             slides,
@@ -131,6 +155,7 @@ impl Session {
             jumps: 0,
         };
         session.forget_the_past();
+        session.begin_pace();
         session.say(FIRST_WORDS);
         session
     }
@@ -146,6 +171,8 @@ impl Session {
             history: &self.history,
             flips: &self.flips,
             timeline: &self.timeline,
+            slowed: self.slowed(),
+            is_looping: self.looped.is_some(),
             tip: self.tip(),
             preview: self.preview.as_ref(),
             titles: &self.titles,
@@ -162,7 +189,35 @@ impl Session {
     /// The picture as it is now, in a picture of this aspect (width over height).
     #[must_use]
     pub fn frame(&self, aspect: f32) -> Frame {
-        objects::build_frame(&self.scene, &self.sim, &self.cameras, aspect)
+        let part = self.glided();
+        match &self.origin {
+            Some(origin) if part < 1.0 => {
+                let cameras = Cameras::between(&origin.cameras, &self.cameras, part);
+                let glide = Glide { from: &origin.view, part };
+                objects::build_frame_on_the_way(&self.scene, &self.sim, &cameras, aspect, 1.0, Some(glide))
+            }
+            _ => objects::build_frame(&self.scene, &self.sim, &self.cameras, aspect),
+        }
+    }
+
+    /// How far the picture has glided from the step before to this one, from 0 to 1: slow at both ends.
+    fn glided(&self) -> f32 {
+        let Some(origin) = &self.origin else { return 1.0 };
+        let part = self.now.saturating_duration_since(origin.begun).as_secs_f32() / GLIDE_TIME.as_secs_f32();
+        let part = part.min(1.0);
+        part * part * (3.0 - 2.0 * part)
+    }
+
+    /// Whether pictures glide from step to step; those who want less motion have each at once.
+    pub fn set_gliding(&mut self, is_gliding: bool) {
+        self.glides = is_gliding;
+        self.origin = self.origin.take().filter(|_| is_gliding);
+    }
+
+    /// Whether the picture changes by itself: time runs, or it glides to another step.
+    #[must_use]
+    pub fn is_moving(&self) -> bool {
+        self.is_playing() || self.glided() < 1.0
     }
 
     /// Another number where the picture is another one.
@@ -241,11 +296,11 @@ impl Session {
 
     /// Lets real time (s) pass until now.
     pub fn advance(&mut self, real_seconds: f64, now: Instant) {
-        self.now = now;
         if self.message_ends().is_some_and(|end| end <= now) {
             self.message = None;
         }
         let seen = self.seen();
+        self.now = now;
         self.run(real_seconds);
         self.note_change(seen);
     }
@@ -277,6 +332,8 @@ impl Session {
             Command::Restart => self.restart(),
             Command::GoTo(time) => self.go_to(time),
             Command::NextFlip => self.go_to_next_flip(),
+            Command::LoopFlip => self.loop_flip(),
+            Command::ToggleSlow => self.toggle_slow(),
             Command::SetBody(body) => self.edit(|file| file.body = *body),
             Command::SpinAxis(axis) => self.set_spin(spin::about(&self.scene, axis)),
             Command::SetTilt(tilt_deg) => self.set_spin(spin::tilted(&self.scene, tilt_deg)),
@@ -293,11 +350,11 @@ impl Session {
             Command::Undo => self.take_back(),
             Command::Redo => self.make_again(),
             Command::Reopen => self.reopen(),
-            Command::NextScene => self.open_slide(self.opened.place.map_or(0, |place| place + 1)),
-            // From a scene that is none of them, back is the last.
-            Command::PreviousScene => {
-                self.open_slide(self.opened.place.unwrap_or(self.slides.len()).saturating_sub(1));
-            }
+            Command::NextStep => self.next_step(),
+            Command::PreviousStep => self.previous_step(),
+            Command::GoToStep(step) => self.go_to_step(step),
+            Command::NextScene => self.next_scene(),
+            Command::PreviousScene => self.previous_scene(),
             Command::OpenScene(place) => self.open_slide(place),
             Command::OpenPlace(place) => return vec![Effect::Open(place)],
             Command::OpenText { name, text } => self.open_text(name, &text),
@@ -308,7 +365,7 @@ impl Session {
             // A notch of the wheel is ten per cent.
             Command::Zoom { at, by } => self.move_camera(at, |camera, _| camera.zoom(by.ln() * 10.0)),
             Command::Home => self.cameras = Cameras::new(&self.scene.view),
-            Command::SetLayout(layout) => self.edit_view(|view| view.layout = Some(layout)),
+            Command::SetLayout(layout) => self.set_layout(layout),
             Command::NextLayout => self.next_layout(),
             Command::Show { name, is_shown } => self.show_object(name, is_shown),
             Command::ToggleTheme => {
@@ -324,6 +381,7 @@ impl Session {
             }
             Command::TogglePanel => self.shown.panel = !self.shown.panel,
             Command::ToggleSlide => self.shown.slide = !self.shown.slide,
+            Command::ToggleAnswer => self.toggle_answer(),
             Command::ToggleCharts => self.shown.charts = !self.shown.charts,
             Command::ToggleHelp => self.shown.help = !self.shown.help,
             Command::ToggleFullscreen => return vec![Effect::ToggleFullscreen],
@@ -341,10 +399,16 @@ impl Session {
         vec![]
     }
 
+    /// Takes a text as the scene, at the step at which it stands.
+    fn set(&mut self, file: &SceneFile) -> Result<(), SceneError> {
+        let last = file.steps.len().checked_sub(1);
+        self.set_at(file, self.scene.at.and_then(|step| Some(step.min(last?))))
+    }
+
     /// Takes a text as the scene and derives everything from it; what is no scene is refused in a sentence, and nothing changes.
     /// A motion that stays the same goes on from where it is.
-    fn set(&mut self, file: &SceneFile) -> Result<(), SceneError> {
-        let scene = objects::check(file)?;
+    fn set_at(&mut self, file: &SceneFile, at: Option<usize>) -> Result<(), SceneError> {
+        let scene = objects::check_at(file, at)?;
         let before = std::mem::replace(&mut self.scene, scene);
         self.scenes += 1;
         let (now, then) = (&self.scene.file, &before.file);
@@ -357,11 +421,18 @@ impl Session {
     }
 
     fn moment(&self) -> Moment {
-        Moment { file: self.scene.file.clone(), opened: self.opened.clone(), time: self.sim.time() }
+        let (file, opened) = (self.scene.file.clone(), self.opened.clone());
+        Moment { file, opened, at: self.scene.at, time: self.sim.time() }
     }
 
     fn seen(&self) -> Seen {
-        Seen { scenes: self.scenes, time: self.sim.time(), cameras: self.cameras, size: self.picture_size }
+        Seen {
+            scenes: self.scenes,
+            time: self.sim.time(),
+            cameras: self.cameras,
+            size: self.picture_size,
+            glided: self.glided(),
+        }
     }
 
     fn note_change(&mut self, before: Seen) {

@@ -3,22 +3,91 @@
 use super::Session;
 use crate::physics::poinsot;
 use crate::physics::so3;
-use crate::sim::Tick;
+use crate::sim::{Slowing, Tick};
 use crate::ui::{SPEED_POWERS, Timeline};
 
 /// Most steps that going to another time may take: a few tenths of a second of work.
 pub(super) const MOST_STEPS: f64 = 4e6;
 /// Flips that the scrub bar shows from the start.
 const FLIPS_AHEAD: f64 = 5.0;
+/// How far before a flip the loop of one begins and after it ends, in reaches of slow motion.
+const LOOPS_REACH: f64 = 1.8;
 /// Share of the momentum that must lie along the middle axis at times for the body to be seen turning over.
 const TURNS_OVER: f64 = 0.8;
 
 impl Session {
     /// Lets real time (s) pass.
     pub(super) fn run(&mut self, real_seconds: f64) {
-        if self.sim.advance_frame(real_seconds) != Tick::Still {
+        if self.sim.advance_frame(real_seconds * self.slowed()) != Tick::Still {
             self.time_has_passed();
+            self.come_round();
         }
+    }
+
+    /// How fast the clock runs beside its own speed.
+    pub(super) fn slowed(&self) -> f64 {
+        let slowing = self.slowing.filter(|_| self.scene.view.slow_at_flip);
+        slowing.map_or(1.0, |slowing| slowing.factor(self.sim.time()))
+    }
+
+    pub(super) fn toggle_slow(&mut self) {
+        let is_slow = !self.scene.view.slow_at_flip;
+        let at = self.scene.at;
+        self.edit(|file| match at.and_then(|step| file.steps.get_mut(step)) {
+            Some(step) => step.slow_at_flip = Some(is_slow),
+            None => file.view.slow_at_flip = Some(is_slow),
+        });
+        self.say(if is_slow { "Slow motion at each flip." } else { "No slow motion." });
+    }
+
+    /// Begins to run through the flip that comes next, or the one that is under way, again and again; or ends it.
+    pub(super) fn loop_flip(&mut self) {
+        if self.looped.take().is_some() {
+            return self.say("The loop has ended.");
+        }
+        let time = self.sim.time();
+        let near = self.slowing.map(|slowing| (slowing.nearest_flip(time), slowing.reach()));
+        let under_way = near.filter(|(flip, reach)| (time - flip).abs() < *reach).map(|(flip, _)| flip);
+        let next = || self.timeline.next_flip(time, self.sim.clock.speed < 0.0);
+        match under_way.or_else(next) {
+            Some(flip) if self.slowing.is_some() => {
+                self.looped = Some(flip);
+                self.sim.clock.paused = false;
+                self.go_to_loops_start();
+                self.say("One flip, again and again (Shift+N ends it).");
+            }
+            _ => self.say("No flip comes any more."),
+        }
+    }
+
+    /// The times (s) between which the loop runs.
+    fn loops_ends(&self) -> Option<(f64, f64)> {
+        let half = LOOPS_REACH * self.slowing?.reach();
+        let half = self.timeline.period.map_or(half, |period| half.min(0.5 * period));
+        self.looped.map(|flip| (flip - half, flip + half))
+    }
+
+    fn go_to_loops_start(&mut self) {
+        let Some((from, to)) = self.loops_ends() else { return };
+        let time = if self.sim.clock.speed < 0.0 { to } else { from };
+        if self.sim.steps_to(time) <= MOST_STEPS {
+            self.sim.go_to(time);
+            self.time_was_set();
+        }
+    }
+
+    /// Back to the beginning of the loop where its end is passed; one who has gone elsewhere has left it.
+    fn come_round(&mut self) {
+        let Some((from, to)) = self.loops_ends() else { return };
+        let (time, is_backwards) = (self.sim.time(), self.sim.clock.speed < 0.0);
+        if (time > to && !is_backwards) || (time < from && is_backwards) {
+            self.go_to_loops_start();
+        }
+    }
+
+    /// Ends the loop where a time (s) outside of it is gone to.
+    fn leave_loop(&mut self, time: f64) {
+        self.looped = self.looped.filter(|_| self.loops_ends().is_some_and(|(from, to)| (from..=to).contains(&time)));
     }
 
     /// Notes what came of steps taken.
@@ -45,7 +114,11 @@ impl Session {
         self.history.clear();
         self.flips = crate::sim::FlipWatch::default();
         self.preview = None;
+        self.looped = None;
         self.timeline = timeline_of(&self.scene);
+        let rate = poinsot::growth_rate(&self.scene.body, so3::norm(self.scene.start.body_momentum));
+        let Timeline { first_flip, period, .. } = self.timeline;
+        self.slowing = first_flip.and_then(|first| Slowing::new(first, period, rate));
         self.time_was_set();
     }
 
@@ -97,6 +170,7 @@ impl Session {
             ));
             return;
         }
+        self.leave_loop(time);
         self.sim.go_to(time);
         self.time_was_set();
     }

@@ -45,6 +45,8 @@ pub(super) struct Moment {
     pub(super) file: SceneFile,
     /// What it came from.
     pub(super) opened: Opened,
+    /// The step of its telling.
+    pub(super) at: Option<usize>,
     /// Simulated time (s).
     pub(super) time: f64,
 }

@@ -20,16 +20,46 @@ impl Session {
             Layout::World => Layout::Body,
             Layout::Body => Layout::Both,
         };
-        self.edit_view(|view| view.layout = Some(layout));
+        self.set_layout(layout);
     }
 
+    /// Shows these spaces: at a step from there on.
+    pub(super) fn set_layout(&mut self, layout: Layout) {
+        let at = self.scene.at;
+        self.edit(|file| match at.and_then(|step| file.steps.get_mut(step)) {
+            Some(step) => step.layout = Some(layout),
+            None => file.view.layout = Some(layout),
+        });
+    }
+
+    /// Opens the answer, or closes it again.
+    pub(super) fn toggle_answer(&mut self) {
+        if self.scene.file.answer.trim().is_empty() {
+            self.say("This scene has no answer to show.");
+        } else {
+            self.shown.answer = !self.shown.answer;
+        }
+    }
+
+    /// Draws an object, or leaves it out: at a step from there on.
     pub(super) fn show_object(&mut self, name: &'static str, is_shown: bool) {
-        let by_default = objects::object_named(name).is_some_and(|object| object.shown);
-        self.edit_view(|view| {
-            view.show.retain(|shown| shown != name);
-            view.hide.retain(|hidden| hidden != name);
-            if is_shown != by_default {
-                if is_shown { &mut view.show } else { &mut view.hide }.push(name.to_owned());
+        let Some(object) = objects::object_named(name) else { return };
+        let at = self.scene.at;
+        self.edit(|file| {
+            let (show, hide) = match at.and_then(|step| file.steps.get_mut(step)) {
+                Some(step) => (&mut step.show, &mut step.hide),
+                None => (&mut file.view.show, &mut file.view.hide),
+            };
+            show.retain(|shown| shown != name);
+            hide.retain(|hidden| hidden != name);
+            // Named only where it would be otherwise without.
+            let Ok(without) = objects::check_at(file, at) else { return };
+            if objects::is_shown(object, &without.view) != is_shown {
+                let lists = match at.and_then(|step| file.steps.get_mut(step)) {
+                    Some(step) => (&mut step.show, &mut step.hide),
+                    None => (&mut file.view.show, &mut file.view.hide),
+                };
+                if is_shown { lists.0 } else { lists.1 }.push(name.to_owned());
             }
         });
     }

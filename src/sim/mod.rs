@@ -4,6 +4,7 @@ mod clock;
 mod flips;
 mod history;
 mod simulation;
+mod slowing;
 #[cfg(test)]
 mod tests;
 
@@ -11,3 +12,4 @@ pub use clock::{Clock, Tick};
 pub use flips::FlipWatch;
 pub use history::{Errors, History, Sample};
 pub use simulation::{Runner, Simulation};
+pub use slowing::Slowing;

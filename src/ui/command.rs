@@ -27,6 +27,10 @@ pub enum Command {
     GoTo(f64),
     /// To the next flip.
     NextFlip,
+    /// Runs through one flip again and again, or no longer.
+    LoopFlip,
+    /// Slows the clock round each flip, or no longer.
+    ToggleSlow,
     /// Takes this body instead; the start stays as it is said.
     SetBody(Box<BodyFile>),
     /// Spin about this principal axis, tilt and rate as they are.
@@ -64,6 +68,12 @@ pub enum Command {
     Redo,
     /// The scene as it was opened.
     Reopen,
+    /// The next step of the scene, or the next scene after the last one.
+    NextStep,
+    /// The step before, or the scene before.
+    PreviousStep,
+    /// This step of the scene, counted from 0.
+    GoToStep(usize),
     /// The next scene.
     NextScene,
     /// The scene before.
@@ -123,6 +133,8 @@ pub enum Command {
     TogglePanel,
     /// Shows or hides the scene's title, text and question.
     ToggleSlide,
+    /// Shows or hides the answer to the scene's question.
+    ToggleAnswer,
     /// Shows or hides the charts.
     ToggleCharts,
     /// Names beside things, or not.

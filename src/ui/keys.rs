@@ -79,12 +79,27 @@ pub static BINDINGS: &[Binding] = &[
     row("R", &[(Up, Key::R)], "restart", Command::Restart, silent),
     row("Shift+R", &[(Down, Key::R)], "the scene as it was opened", Command::Reopen, silent),
     row("N", &[(Up, Key::N)], "to the next flip", Command::NextFlip, silent),
-    row("P", &[(Up, Key::P)], "poke", Command::Poke, silent),
+    row("Shift+N", &[(Down, Key::N)], "one flip again and again", Command::LoopFlip, |look| {
+        Some(on_off(look.is_looping))
+    }),
+    row("Shift+S", &[(Down, Key::S)], "slow at each flip", Command::ToggleSlow, |look| {
+        Some(on_off(look.scene.view.slow_at_flip))
+    }),
+    row("K", &[(Up, Key::K)], "poke", Command::Poke, silent),
     row("1", &[(Any, Key::Num1)], "spin about axis 1 (smallest moment)", Command::SpinAxis(1), silent),
     row("2", &[(Any, Key::Num2)], "spin about axis 2 (middle moment)", Command::SpinAxis(2), silent),
     row("3", &[(Any, Key::Num3)], "spin about axis 3 (largest moment)", Command::SpinAxis(3), silent),
-    row("PageDown", &[(Up, Key::PageDown)], "next scene", Command::NextScene, silent),
-    row("PageUp", &[(Up, Key::PageUp)], "previous scene", Command::PreviousScene, silent),
+    row("PageDown", &[(Up, Key::PageDown)], "next step, then the next scene", Command::NextStep, silent),
+    row("PageUp", &[(Up, Key::PageUp)], "the step before, then the scene before", Command::PreviousStep, silent),
+    row("Shift+PageDown", &[(Down, Key::PageDown)], "next scene", Command::NextScene, silent),
+    row("Shift+PageUp", &[(Down, Key::PageUp)], "previous scene", Command::PreviousScene, silent),
+    row(
+        "A, B, .",
+        &[(Up, Key::A), (Up, Key::B), (Up, Key::Period)],
+        "the answer to the question",
+        Command::ToggleAnswer,
+        |look| (!look.scene.file.answer.trim().is_empty()).then(|| on_off(look.shown.answer)),
+    ),
     row("F", &[(Up, Key::F)], "frame: world, body, both", Command::NextLayout, |look| {
         Some(match look.scene.view.layout {
             Layout::Both => "both",

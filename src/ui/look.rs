@@ -27,6 +27,10 @@ pub struct Look<'a> {
     pub flips: &'a FlipWatch,
     /// The flips that come, and how far the scrub bar reaches.
     pub timeline: &'a Timeline,
+    /// How fast the clock runs beside its own speed: below 1 in slow motion.
+    pub slowed: f64,
+    /// Whether one flip is run through again and again.
+    pub is_looping: bool,
     /// Where the tip of M is in the picture (pixels), where it can be taken hold of.
     pub tip: Option<Pixels>,
     /// What a click on the sphere would start.
@@ -126,6 +130,8 @@ pub struct Shown {
     pub panel: bool,
     /// The scene's title, text and question.
     pub slide: bool,
+    /// The answer to the scene's question.
+    pub answer: bool,
     /// The charts.
     pub charts: bool,
     /// The sheet of keys.
@@ -138,7 +144,7 @@ impl Shown {
     /// As it was the last time, with nothing asked.
     #[must_use]
     pub fn remembered(panel: bool, slide: bool, charts: bool) -> Self {
-        Self { panel, slide, charts, help: false, saving: None }
+        Self { panel, slide, charts, answer: false, help: false, saving: None }
     }
 }
 

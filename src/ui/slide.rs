@@ -2,7 +2,8 @@
 
 use egui::{Color32, FontId, Frame, Margin, Panel, RichText, Ui};
 
-use super::{Look, style};
+use super::keys::keys_of;
+use super::{Command, Look, style};
 use crate::scene::SceneFile;
 
 /// Sizes of the title and of the words (points).
@@ -30,10 +31,15 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
     } else {
         lines(&file.title)
     };
+    let at = look.scene.at;
+    // A question may name what the steps have yet to show.
+    let question = if file.asks_at(at) || look.shown.answer { lines(&file.question) } else { String::new() };
+    let answer = if look.shown.answer { lines(&file.answer) } else { String::new() };
     let parts = [
         (title, TITLE, text_color),
-        (lines(&file.text), WORDS, text_color.gamma_multiply(faded)),
-        (lines(&file.question), WORDS, accent.gamma_multiply(faded)),
+        (lines(file.text_at(at)), WORDS, text_color.gamma_multiply(faded)),
+        (asked(&question, look), WORDS, accent.gamma_multiply(faded)),
+        (answer, WORDS, text_color.gamma_multiply(faded)),
         (missing(ui, file), WORDS, style::warning(ui.visuals().dark_mode)),
     ];
     let width = ui.available_width() - 2.0 * f32::from(SIDE);
@@ -57,6 +63,15 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
     });
 }
 
+/// The question, with the key that opens its answer where there is one.
+fn asked(question: &str, look: &Look<'_>) -> String {
+    let has_answer = !look.scene.file.answer.trim().is_empty() && !look.shown.answer;
+    match keys_of(&Command::ToggleAnswer).and_then(|keys| keys.split(',').next()) {
+        Some(key) if has_answer && !question.is_empty() => format!("{question}  ({key}: the answer)"),
+        _ => question.to_owned(),
+    }
+}
+
 /// A text with the line breaks that were written, and no space around them.
 fn lines(text: &str) -> String {
     text.trim().lines().map(str::trim).collect::<Vec<_>>().join("\n")
@@ -64,8 +79,9 @@ fn lines(text: &str) -> String {
 
 /// Which signs of a scene's words no font here has, in a sentence; empty where there are none.
 fn missing(ui: &Ui, file: &SceneFile) -> String {
-    let mut signs: Vec<char> = [&file.title, &file.text, &file.question]
+    let mut signs: Vec<char> = [&file.title, &file.text, &file.question, &file.answer]
         .into_iter()
+        .chain(file.steps.iter().map(|step| &step.text))
         .flat_map(|text| text.chars())
         .filter(|sign| !sign.is_whitespace() && !sign.is_ascii())
         .collect();

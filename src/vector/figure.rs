@@ -10,9 +10,6 @@ use crate::camera::{Camera, NEAR};
 use crate::frame::{Color, Frame, Pane, Walls};
 use crate::render::{self, Overlay, Pixels, PlacedText};
 
-/// Thinnest line on paper (inches): a quarter of a typographic point.
-const THINNEST: f64 = 0.25 / 72.0;
-
 /// The surfaces of a frame as pixels of the figure's size.
 #[derive(Debug, Default)]
 pub struct Surfaces {
@@ -60,7 +57,7 @@ fn is_hollow(pane: &Pane) -> bool {
 
 /// The figure of a frame.
 pub(super) fn draw(frame: &Frame, surfaces: &Surfaces, options: &FigureOptions) -> Drawing {
-    let overlays = render::overlays(frame, options.size, options.point);
+    let overlays = render::overlays(frame, options.size);
     let mut shapes = vec![];
     let base = (!frame.transparent).then_some(frame.background);
     shapes.extend(surfaces.below.as_ref().and_then(|pixels| picture(pixels, frame.transparent, base)));
@@ -102,8 +99,8 @@ impl<'a> View<'a> {
             clip,
             corner: corner.as_dvec2(),
             pixels: pixels.as_dvec2(),
-            point: f64::from(options.point * frame.font_scale),
-            thinnest: THINNEST * f64::from(options.dpi),
+            point: f64::from(render::point_size(options.size) * frame.font_scale),
+            thinnest: options.thinnest,
         };
         let across = [right * pixel, up * -pixel].map(glam::Vec3::as_dvec3);
         Self { pane, sight: Sight::new(pane, clip), projection, across }
@@ -130,7 +127,7 @@ impl<'a> View<'a> {
             lines::draw(line, Part::Seen, &nothing, &flat, shapes);
         }
         marks::draw(&overlay.markers, &nothing, [DVec3::ZERO; 2], &flat, shapes);
-        let halos = render::halo(frame, options.point);
+        let halos = render::halo(frame, options.size);
         // From outside in: what is covered twice has the inmost part's strength.
         let outer = halos[1].1.0[3];
         let inner = 1.0 - (1.0 - halos[0].1.0[3]) / (1.0 - outer);

@@ -31,22 +31,14 @@ pub enum Letters {
 /// What a figure is to be like, besides its frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FigureOptions {
-    /// Width and height in pixels, as those of the picture would be; with the next two they make the figure's size on paper.
+    /// Width and height in pixels, as those of the picture would be.
     pub size: [u32; 2],
-    /// Pixels a point of the frame ([`point_size`](crate::render::point_size), where nothing else is said).
-    pub point: f32,
-    /// Pixels an inch of paper; 96 as in browsers where nothing else is said.
-    pub dpi: f32,
+    /// Its width and height on paper, in points of 1/72 in; none where it is for a screen, a pixel being one of browsers'.
+    pub paper: Option<[f64; 2]>,
+    /// Width of the thinnest line that is written (pixels).
+    pub thinnest: f64,
     /// How texts are written.
     pub letters: Letters,
-}
-
-impl FigureOptions {
-    /// As a picture of this size is, for a screen.
-    #[must_use]
-    pub fn new(size: [u32; 2]) -> Self {
-        Self { size, point: crate::render::point_size(size), dpi: 96.0, letters: Letters::Text }
-    }
 }
 
 /// A frame as SVG, over its surfaces drawn as pixels. The remarks are kept in its metadata (see [`read_remarks`]).

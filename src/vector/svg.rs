@@ -29,7 +29,7 @@ pub(super) fn write(drawing: &Drawing, options: &FigureOptions, remarks: &[Remar
     for shape in &drawing.shapes {
         writer.shape(shape)?;
     }
-    let [wide, high] = drawing.size.map(|pixels| length(pixels, options.dpi));
+    let [wide, high] = lengths(drawing.size, options.paper);
     let mut file = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" \
          width=\"{wide}\" height=\"{high}\" viewBox=\"0 0 {width} {height}\">\n"
@@ -52,13 +52,10 @@ pub(super) fn write(drawing: &Drawing, options: &FigureOptions, remarks: &[Remar
     Ok(file)
 }
 
-/// A length on paper; pixels where they are those of browsers.
-fn length(pixels: u32, dpi: f32) -> String {
-    if dpi == 96.0 {
-        return pixels.to_string();
-    }
-    let millimetres = (f64::from(pixels) / f64::from(dpi) * 25.4 * 1000.0).round() / 1000.0;
-    format!("{millimetres}mm")
+/// Width and height, on paper where they are said there.
+fn lengths(pixels: [u32; 2], paper: Option<[f64; 2]>) -> [String; 2] {
+    let thousandths = |points: f64| decimal((points / 72.0 * 25.4 * 1000.0).round() as i64, 3) + "mm";
+    paper.map_or_else(|| pixels.map(|pixels| pixels.to_string()), |points| points.map(thousandths))
 }
 
 /// What is written so far.

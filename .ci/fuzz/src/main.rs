@@ -41,7 +41,7 @@ const NUMBERS: &[&str] = &[
 const PIECES: &[&str] = &[
     "\n", "[", "]", "[[", "]]", "=", ",", ".", "\"", "\"\"\"", "'", "#", "\0", "\u{feff}", "\r\n", "é", "[body]", "[spin]", "[motion]",
     "[view]", "[[body.solids]]", "box", "moments", "inertia", "omega", "axis", "tilt_deg", "rate", "method", "step", "compare", "solids",
-    "kind", "size", "show", "hide", "a.b.c.d.e", "{a={a={a={a=1}}}}", "\\u0000", "\u{202e}",
+    "kind", "size", "show", "hide", "[[step]]", "\n[[step]]\n", "text = \"\"", "answer = 'x'", "time", "speed", "pause", "all", "a.b.c.d.e", "{a={a={a={a=1}}}}", "\\u0000", "\u{202e}",
 ];
 
 fn mutated(random: &mut Random, texts: &[&'static str]) -> String {
@@ -83,6 +83,9 @@ fn mutated(random: &mut Random, texts: &[&'static str]) -> String {
 fn read(text: &str) -> Result<(), String> {
     let Ok(file) = SceneFile::parse(text) else { return Ok(()) };
     let Ok(scene) = Scene::check(&file) else { return Ok(()) };
+    for step in 0..file.steps.len() {
+        Scene::check_at(&file, Some(step)).map_err(|error| format!("step {step} is refused alone: {error}"))?;
+    }
     let state = scene.start;
     if !(state.world_from_body.is_finite() && state.body_momentum.is_finite()) {
         return Err("a scene that was let pass starts with no numbers".to_owned());

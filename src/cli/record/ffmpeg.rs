@@ -1,67 +1,94 @@
-//! MP4 through an installed `ffmpeg`, which is fed a YUV4MPEG2 stream.
+//! Films through an installed `ffmpeg`, which is fed a YUV4MPEG2 stream, or raw pixels where they keep their opacity.
 
 use std::ffi::OsString;
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 use std::path::Path;
-use std::process::{Child, ChildStderr, ChildStdin, Command, Stdio};
+use std::process::{Child, ChildStderr, Command, Stdio};
 use std::thread::JoinHandle;
 
-use dzhanibekov::headless::{FrameRate, Movie, MovieError, Y4m};
+use dzhanibekov::headless::{FrameRate, Movie, MovieError, Rgba, Y4m};
 use dzhanibekov::render::Pixels;
 
+use super::film::{CONTAINERS, Codec, Container, list};
 use crate::cli::failure::Failure;
 
-/// Encoders of H.264, the best first: each with what makes a film that looks as it was drawn, where it has a setting
-/// for that; the others are given plenty of bits.
-const ENCODERS: [(&str, &[&str]); 6] = [
-    ("libx264", &["-preset", "veryfast", "-crf", "16"]),
-    ("libopenh264", &[]),
-    ("h264_videotoolbox", &[]),
-    ("h264_nvenc", &["-rc", "vbr", "-cq", "16"]),
-    ("h264_mf", &[]),
-    ("h264_v4l2m2m", &[]),
-];
 /// Bits for a pixel of a frame, of an encoder that is given a rate: for line drawings, many.
 const BITS_PER_PIXEL: f64 = 0.15;
 /// Colours as the stream has them, for an input and for an output.
 const COLOURS: [&str; 8] =
     ["-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"];
 
+/// What turns RGB into these colours.
+const TO_BT709: &str = concat!(
+    "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int+area,",
+    "setparams=range=tv:colorspace=bt709:color_primaries=bt709:color_trc=bt709"
+);
+
 /// A running ffmpeg.
 pub(super) struct Ffmpeg {
     child: Child,
-    stream: Option<Box<Y4m<BufWriter<ChildStdin>>>>,
+    stream: Option<Box<dyn Movie>>,
     /// Reads its words, so that it never waits for someone to do so; the first of them is kept.
     words: Option<JoinHandle<String>>,
 }
 
+/// What a film is encoded by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Encoder {
+    container: Container,
+    is_transparent: bool,
+    codec: &'static Codec,
+    name: &'static str,
+    settings: &'static [&'static str],
+}
+
 impl Ffmpeg {
     /// Starts it on a file, which it may write over.
-    pub(super) fn new(path: &Path, size: [u32; 2], rate: FrameRate) -> Result<Self, Failure> {
-        let (encoder, settings) = encoder()?;
+    pub(super) fn new(path: &Path, size: [u32; 2], rate: FrameRate, encoder: Encoder) -> Result<Self, Failure> {
+        let Encoder { container, is_transparent, codec, name, settings } = encoder;
         let bits = BITS_PER_PIXEL * f64::from(size[0]) * f64::from(size[1]) * rate.per_second();
         let bits = format!("{:.0}", bits.clamp(1e6, 1e9));
         // Said to be a file, no name is taken for a protocol, a pattern or a flag.
         let mut file = OsString::from("file:");
         file.push(path);
+        let is_rgb = codec.pixels == "bgra";
         let mut command = ffmpeg();
-        command.args(["-nostdin", "-loglevel", "error", "-y", "-f", "yuv4mpegpipe"]).args(COLOURS).args(["-i", "-"]);
-        command.args(["-c:v", encoder]).args(settings);
+        command.args(["-nostdin", "-loglevel", "error", "-y"]);
+        if is_transparent {
+            let [width, height] = size;
+            command.args(["-f", "rawvideo", "-pix_fmt", "rgba", "-video_size", &format!("{width}x{height}")]);
+            command.args(["-framerate", &format!("{}/{}", rate.frames, rate.seconds), "-i", "-"]);
+            if !is_rgb {
+                command.args(["-vf", TO_BT709]);
+            }
+        } else {
+            command.args(["-f", "yuv4mpegpipe"]).args(COLOURS).args(["-i", "-"]);
+        }
+        command.args(["-c:v", name]).args(settings);
         if settings.is_empty() {
             command.args(["-b:v", &bits]);
         }
-        command.args(["-pix_fmt", "yuv420p"]).args(COLOURS).args(["-movflags", "+faststart", "-f", "mp4"]).arg(file);
+        command.args(["-pix_fmt", codec.pixels]);
+        if !is_rgb {
+            command.args(COLOURS);
+        }
+        command.args(container.muxer()).arg(file);
         let mut child = command
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .stderr(Stdio::piped())
             .spawn()
-            .map_err(|error| not_started(&error))?;
+            .map_err(|error| not_started(&error, container))?;
         let stdin = child.stdin.take().ok_or_else(|| Failure::could_not("ffmpeg takes no input"))?;
         let words = child.stderr.take().map(|stderr| std::thread::spawn(move || first_words(stderr)));
-        let stream = Y4m::new(BufWriter::new(stdin), size, rate)
-            .map_err(|error| Failure::could_not(format!("ffmpeg takes no input: {error}")))?;
-        Ok(Self { child, stream: Some(Box::new(stream)), words })
+        let stdin = BufWriter::new(stdin);
+        let stream: Box<dyn Movie> = if is_transparent {
+            Box::new(Rgba::new(stdin, !is_rgb))
+        } else {
+            let stream = Y4m::new(stdin, size, rate);
+            Box::new(stream.map_err(|error| Failure::could_not(format!("ffmpeg takes no input: {error}")))?)
+        };
+        Ok(Self { child, stream: Some(stream), words })
     }
 
     /// Waits for it to end and says how, where that was not well.
@@ -87,36 +114,59 @@ fn ffmpeg() -> Command {
 }
 
 /// Why there is no ffmpeg at work.
-fn not_started(error: &io::Error) -> Failure {
+fn not_started(error: &io::Error, container: Container) -> Failure {
     match error.kind() {
-        io::ErrorKind::NotFound => Failure::could_not(
-            "an .mp4 needs ffmpeg, which was not found: install it (on Debian apt-get install ffmpeg) or record .apng or .gif",
-        ),
+        io::ErrorKind::NotFound => Failure::could_not(format!(
+            "a film ending in .{} needs ffmpeg, which was not found: install it (on Debian apt-get install ffmpeg) or record .apng or .gif",
+            container.ending()
+        )),
         _ => Failure::could_not(format!("ffmpeg could not be started: {error}")),
     }
 }
 
-/// The best encoder of H.264 that it has, and its settings.
-fn encoder() -> Result<(&'static str, &'static [&'static str]), Failure> {
-    let listed = ffmpeg()
-        .args(["-hide_banner", "-encoders"])
-        .stdin(Stdio::null())
-        .stderr(Stdio::null())
-        .output()
-        .map_err(|error| not_started(&error))?;
-    let list = String::from_utf8_lossy(&listed.stdout);
-    let has = |name: &str| list.lines().any(|line| line.split_whitespace().nth(1) == Some(name));
-    // One that cannot even list them says itself what ails it.
-    if !listed.status.success() || has(ENCODERS[0].0) {
-        return Ok(ENCODERS[0]);
+impl Encoder {
+    /// The best encoder that ffmpeg has for such a file.
+    pub(super) fn find(container: Container, codec: &'static Codec, is_transparent: bool) -> Result<Self, Failure> {
+        let chosen = |(name, settings)| Self { container, is_transparent, codec, name, settings };
+        let listed = ffmpeg()
+            .args(["-hide_banner", "-encoders"])
+            .stdin(Stdio::null())
+            .stderr(Stdio::null())
+            .output()
+            .map_err(|error| not_started(&error, container))?;
+        let list = String::from_utf8_lossy(&listed.stdout);
+        let has = |name: &str| list.lines().any(|line| line.split_whitespace().nth(1) == Some(name));
+        let [first, others @ ..] = codec.encoders else { return Err(lacking(container, codec, is_transparent, has)) };
+        // One that cannot even list them says itself what ails it.
+        if !listed.status.success() || has(first.0) {
+            return Ok(chosen(*first));
+        }
+        // The others may be listed and want a device that is not there.
+        let other = others.iter().find(|(name, _)| has(name) && can_encode(name));
+        other.map(|other| chosen(*other)).ok_or_else(|| lacking(container, codec, is_transparent, has))
     }
-    // The others may be listed and want a device that is not there.
-    ENCODERS.into_iter().find(|(name, _)| has(name) && can_encode(name)).ok_or_else(|| {
-        let names = ENCODERS.map(|(name, _)| name).join(", ");
-        Failure::could_not(format!(
-            "the ffmpeg here has no encoder of H.264 that works ({names}): install one with libx264 (Debian's has it), record .apng or .gif, or pipe `-o -` into a codec that it has"
-        ))
-    })
+}
+
+/// What is said where ffmpeg has no encoder for such a file: which it would be, and what it can write instead.
+fn lacking(container: Container, codec: &Codec, is_transparent: bool, has: impl Fn(&str) -> bool) -> Failure {
+    let names: Vec<&str> = codec.encoders.iter().map(|(name, _)| *name).collect();
+    let can = |other: &Container| {
+        let encoders = other.codec(is_transparent).map_or(&[][..], |codec| codec.encoders);
+        *other != container && encoders.first().is_some_and(|(name, _)| has(name))
+    };
+    let mut served: Vec<&str> = CONTAINERS.iter().filter(|other| can(other)).map(|other| other.ending()).collect();
+    served.push("apng");
+    let sentence = format!(
+        "the ffmpeg here has no encoder of {} that works ({}): install one with {} (Debian's has it), or record {}",
+        codec.name,
+        names.join(", "),
+        names.first().unwrap_or(&"it"),
+        list(&served, "or"),
+    );
+    match container {
+        Container::Mp4 => Failure::could_not(sentence),
+        _ => Failure::request(sentence),
+    }
 }
 
 /// Whether an encoder takes a small grey picture.

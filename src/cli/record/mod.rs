@@ -1,6 +1,7 @@
 //! `record`: moving pictures, as numbered files, a film, or a stream.
 
 mod ffmpeg;
+mod film;
 mod pattern;
 
 use std::io::BufWriter;
@@ -11,9 +12,11 @@ use std::time::Instant;
 
 use clap::Args;
 use dzhanibekov::files::{self, Output, Sink};
-use dzhanibekov::headless::{Apng, FrameRate, Gif, HeadlessError, Movie, MovieError, Recording, Studio, Y4m, record};
-use dzhanibekov::objects::{Cameras, build_frame};
-use dzhanibekov::render::png::{encode, is_whole};
+use dzhanibekov::headless::{
+    Apng, FrameRate, Gif, HeadlessError, Movie, MovieError, PictureSize, Recording, ShotOptions, Studio, Y4m, record,
+};
+use dzhanibekov::objects::Cameras;
+use dzhanibekov::render::png::{encode_marked, is_whole};
 use dzhanibekov::render::{Gpu, Pixels};
 use dzhanibekov::scene::Scene;
 use dzhanibekov::sim::Simulation;
@@ -26,7 +29,8 @@ use super::picture::{followed, notes, open, options, picture_scene};
 use super::quiet_driver::keep_quiet;
 use super::signal;
 use super::times::{check_steps, rough, short};
-use ffmpeg::Ffmpeg;
+use ffmpeg::{Encoder, Ffmpeg};
+use film::{CONTAINERS, Container, list};
 use pattern::Pattern;
 
 /// Pictures looked at for a palette, and their largest width.
@@ -38,7 +42,8 @@ const SAMPLE_WIDTH: u32 = 640;
 pub(super) struct RecordArguments {
     #[command(flatten)]
     picture: PictureArguments,
-    /// frame-{:05}.png (numbered), FILE.gif, FILE.apng, FILE.mp4 (through ffmpeg), or - for YUV4MPEG2 on standard output
+    /// frame-{:05}.png (numbered), FILE.gif, FILE.apng, through ffmpeg FILE.mp4, .webm, .mov or .mkv, or - for YUV4MPEG2 on standard
+    /// output
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
     /// Frames a second, whole, decimal or a ratio such as 30000/1001
@@ -63,7 +68,7 @@ enum Format {
     Numbered(Pattern),
     Gif,
     Apng,
-    Mp4,
+    Film(Encoder),
     Stream,
 }
 
@@ -87,14 +92,14 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
     let format = format_of(arguments)?;
     let frames = frames_of(arguments)?;
     check_place(&arguments.output)?;
-    let end = picture.time() + arguments.fps.time(frames.end);
+    let end = picture.time(&scene) + arguments.fps.time(frames.end);
     check_steps(&scene, &format!("the last frame, at {} s,", short(end)), end, followed(&scene))?;
-    let recording = Recording { shot: options(picture), start: picture.time(), rate: arguments.fps, frames };
+    let recording = Recording { shot: options(picture), start: picture.time(&scene), rate: arguments.fps, frames };
     // A pipe is opened once someone reads it; until then, and only until then, a signal ends the program at once.
     signal::end_at_once()?;
     let output = match &format {
         Format::Numbered(_) => None,
-        Format::Mp4 => Some(Output::create_for_program(&arguments.output)?),
+        Format::Film(_) => Some(Output::create_for_program(&arguments.output)?),
         Format::Gif | Format::Apng | Format::Stream => Some(Output::create(&arguments.output)?),
     };
     let stop = signal::raise_flag();
@@ -105,16 +110,19 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
 
     let is_finished = match (&format, output) {
         (Format::Numbered(pattern), _) => {
+            let PictureSize { pixels: size, .. } = recording.shot.size;
+            let mark = recording.shot.size.pixels_per_metre();
             let notes_of = |index| notes(picture, &scene, &words, recording.time(index));
             let skip = |index| {
                 let is_kept = arguments.keep
                     && std::fs::read(pattern.path(index))
-                        .is_ok_and(|bytes| is_whole(&bytes, picture.size, &notes_of(index)));
+                        .is_ok_and(|bytes| is_whole(&bytes, size, &notes_of(index), mark));
                 bar.inc(u64::from(is_kept));
                 is_kept
             };
             record(&gpu, &scene, &recording, stop, skip, |index, pixels| {
-                let bytes = encode(&pixels, picture.transparent, &notes_of(index)).map_err(HeadlessError::from)?;
+                let bytes =
+                    encode_marked(&pixels, picture.transparent, &notes_of(index), mark).map_err(HeadlessError::from)?;
                 files::write(&pattern.path(index), &bytes)?;
                 bar.inc(1);
                 Ok::<(), Failure>(())
@@ -171,12 +179,14 @@ fn movie(
     recording: &Recording,
 ) -> Result<Result<Box<dyn Movie>, MovieError>, Failure> {
     let Recording { shot, rate, frames, .. } = recording;
-    let (size, rate) = (shot.size, *rate);
+    let (size, rate) = (shot.size.pixels, *rate);
     let writer = || output.handle().map(BufWriter::new);
     Ok(match format {
         Format::Gif => Gif::new(writer()?, size, rate, &samples(gpu, scene, recording)?).map(boxed),
         Format::Apng => Apng::new(writer()?, size, rate, frames.end - frames.start, shot.transparent).map(boxed),
-        Format::Mp4 => Ok(boxed(Ffmpeg::new(output.beside().unwrap_or(Path::new("-")), size, rate)?)),
+        Format::Film(encoder) => {
+            Ok(boxed(Ffmpeg::new(output.beside().unwrap_or(Path::new("-")), size, rate, *encoder)?))
+        }
         Format::Stream | Format::Numbered(_) => Y4m::new(writer()?, size, rate).map(boxed),
     })
 }
@@ -188,9 +198,10 @@ fn boxed<M: Movie + 'static>(movie: M) -> Box<dyn Movie> {
 
 /// Small pictures from all over the recording, for a palette.
 fn samples(gpu: &Gpu, scene: &Scene, recording: &Recording) -> Result<Vec<Pixels>, Failure> {
-    let [width, height] = recording.shot.size;
+    let [width, height] = recording.shot.size.pixels;
     let size =
         if width > SAMPLE_WIDTH { [SAMPLE_WIDTH, (height * SAMPLE_WIDTH).div_ceil(width)] } else { [width, height] };
+    let small = ShotOptions { size: PictureSize::in_pixels(size), ..recording.shot.clone() };
     let mut studio = Studio::new(gpu, size)?;
     let cameras = Cameras::new(&scene.view);
     let mut simulation = Simulation::new(scene);
@@ -199,8 +210,7 @@ fn samples(gpu: &Gpu, scene: &Scene, recording: &Recording) -> Result<Vec<Pixels
     (0..wanted)
         .map(|sample| {
             simulation.go_to(recording.time(start + sample * (end - start) / wanted));
-            let frame = build_frame(scene, &simulation, &cameras, studio.aspect());
-            Ok(studio.draw(&frame)?)
+            Ok(studio.draw(&small.frame(scene, &simulation, &cameras))?)
         })
         .collect()
 }
@@ -214,28 +224,23 @@ fn format_of(arguments: &RecordArguments) -> Result<Format, Failure> {
         Some("png") => Format::Numbered(Pattern::parse(output)?),
         Some("gif") => Format::Gif,
         Some("apng") => Format::Apng,
-        Some("mp4") => Format::Mp4,
+        Some(ending) if Container::of(ending).is_some() => return film(arguments, ending),
         _ if files::takes_streams(output) => Format::Stream,
         _ => {
             return Err(Failure::request(format!(
-                "{name} names no format: give frame-{{:05}}.png, a name ending in .gif, .apng or .mp4, or - for a stream"
+                "{name} names no format: give frame-{{:05}}.png, a name ending in {}, or - for a stream",
+                list(&endings(&["gif", "apng"]), "or")
             )));
         }
     };
     if arguments.picture.transparent && !matches!(format, Format::Numbered(_) | Format::Apng) {
-        return Err(Failure::request(format!("{name} cannot hold transparency: numbered .png and .apng can")));
+        return Err(clear_refused(output));
     }
     if arguments.keep && !matches!(format, Format::Numbered(_)) {
-        return Err(Failure::request(format!("--keep goes with numbered frames, and {name} is one file")));
-    }
-    let [width, height] = arguments.picture.size;
-    if matches!(format, Format::Mp4) && (width % 2 == 1 || height % 2 == 1) {
-        return Err(Failure::request(format!(
-            "--size {width}x{height} does not go with {name}: both sides must be even"
-        )));
+        return Err(keep_refused(output));
     }
     let checked = match format {
-        Format::Gif => Gif::<Sink>::check(arguments.picture.size, arguments.fps),
+        Format::Gif => Gif::<Sink>::check(arguments.picture.size.get().pixels, arguments.fps),
         Format::Apng => Apng::<Sink>::check(arguments.fps, 1),
         _ => Ok(()),
     };
@@ -246,6 +251,41 @@ fn format_of(arguments: &RecordArguments) -> Result<Format, Failure> {
         say("many programs slow down a GIF of more than 50 frames a second: --fps 50 plays right everywhere");
     }
     Ok(format)
+}
+
+/// A film of this ending; what ffmpeg lacks is refused before anything is drawn.
+fn film(arguments: &RecordArguments, ending: &str) -> Result<Format, Failure> {
+    let (output, is_transparent) = (&arguments.output, arguments.picture.transparent);
+    let container = Container::of(ending).unwrap_or(Container::Mp4);
+    let codec = container.codec(is_transparent).ok_or_else(|| clear_refused(output))?;
+    if arguments.keep {
+        return Err(keep_refused(output));
+    }
+    let [width, height] = arguments.picture.size.get().pixels;
+    if codec.is_even && (width % 2 == 1 || height % 2 == 1) {
+        return Err(Failure::request(format!(
+            "{width}x{height} pixels do not go with {}: both sides must be even",
+            output.display()
+        )));
+    }
+    Ok(Format::Film(Encoder::find(container, codec, is_transparent)?))
+}
+
+/// These endings, then those of the films.
+fn endings(first: &[&'static str]) -> Vec<&'static str> {
+    first.iter().copied().chain(CONTAINERS.iter().map(|container| container.ending())).collect()
+}
+
+/// What is said where a format has no transparency.
+fn clear_refused(output: &Path) -> Failure {
+    let can = CONTAINERS.iter().filter(|container| container.codec(true).is_some()).map(|container| container.ending());
+    let can: Vec<&str> = std::iter::once("apng").chain(can).collect();
+    Failure::request(format!("{} cannot hold transparency: numbered .png, {} can", output.display(), list(&can, "and")))
+}
+
+/// What is said where `--keep` has nothing to keep.
+fn keep_refused(output: &Path) -> Failure {
+    Failure::request(format!("--keep goes with numbered frames, and {} is one file", output.display()))
 }
 
 fn frames_of(arguments: &RecordArguments) -> Result<Range<u64>, Failure> {

@@ -20,25 +20,27 @@ use super::{Body, State};
 /// time at once.
 ///
 /// ```
+/// use dzhanibekov::glam::{DMat3, DVec3};
 /// use dzhanibekov::physics::{Batch, Body, State};
-/// use glam::{DMat3, DVec3};
 ///
-/// // A thousand starts that differ by a thousandth of a degree in all.
-/// let body = Body::solid_box(DVec3::new(0.20, 0.12, 0.04), 1.0)?;
-/// let start = |n: u32| State::new(&body, DMat3::IDENTITY, DVec3::new(0.0, 6.0, 1e-7 * f64::from(n)));
-/// let starts: Vec<State> = (1..=1000).map(start).collect();
-/// let mut batch = Batch::of_starts(&body, &starts);
+/// fn main() -> Result<(), dzhanibekov::physics::BodyError> {
+///     // A thousand starts that differ by a thousandth of a degree in all.
+///     let body = Body::solid_box(DVec3::new(0.20, 0.12, 0.04), 1.0)?;
+///     let start = |n: u32| State::new(&body, DMat3::IDENTITY, DVec3::new(0.0, 6.0, 1e-7 * f64::from(n)));
+///     let starts: Vec<State> = (1..=1000).map(start).collect();
+///     let mut batch = Batch::of_starts(&body, &starts);
 ///
-/// // Ten seconds later they are all over the place.
-/// let momenta = batch.momenta_at(10.0);
-/// assert!(momenta.iter().any(|m| m.y < 0.0) && momenta.iter().any(|m| m.y > 0.0));
+///     // Ten seconds later they are all over the place.
+///     let momenta = batch.momenta_at(10.0);
+///     assert!(momenta.iter().any(|m| m.y < 0.0) && momenta.iter().any(|m| m.y > 0.0));
 ///
-/// // By a thousand steps they come to the same.
-/// batch.advance(0.01, 1000);
-/// let size = starts[0].body_momentum.length();
-/// let reached = batch.states();
-/// assert!(reached.iter().zip(&momenta).all(|(state, m)| state.body_momentum.distance(*m) < 1e-7 * size));
-/// # Ok::<(), dzhanibekov::physics::BodyError>(())
+///     // By a thousand steps they come to the same.
+///     batch.advance(0.01, 1000);
+///     let size = starts[0].body_momentum.length();
+///     let reached = batch.states();
+///     assert!(reached.iter().zip(&momenta).all(|(state, m)| state.body_momentum.distance(*m) < 1e-7 * size));
+///     Ok(())
+/// }
 /// ```
 ///
 /// The results are those of [`Motion`] and of the exact step for each body alone, within the same bounds: attitudes within

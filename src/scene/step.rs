@@ -1,0 +1,190 @@
+//! A scene told step by step: what each step says, and how the scene is looked at once it is reached.
+
+use super::{CameraFile, Layout, SceneFile, ViewFile};
+
+/// The name that stands for every object in a list of those shown or hidden.
+pub const ALL: &str = "all";
+
+/// A step of a scene. What it leaves out stays as it was: in the step before, or in the scene before the first.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StepFile {
+    /// What is said, in place of the scene's text.
+    pub text: String,
+    /// Objects shown from here on.
+    pub show: Vec<String>,
+    /// Objects hidden from here on; what the step shows goes before.
+    pub hide: Vec<String>,
+    /// Which spaces are shown.
+    pub layout: Option<Layout>,
+    /// The camera of the world.
+    pub world_camera: CameraFile,
+    /// The camera of momentum space.
+    pub body_camera: CameraFile,
+    /// The time (s) that is gone to.
+    pub time: Option<f64>,
+    /// Simulated seconds a real second.
+    pub speed: Option<f64>,
+    /// Whether time stands.
+    pub pause: Option<bool>,
+    /// Whether the clock slows round each flip.
+    pub slow_at_flip: Option<bool>,
+}
+
+/// How time runs at a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pace {
+    /// The time (s) that the steps so far have gone to last, where one has.
+    pub time: Option<f64>,
+    /// Simulated seconds a real second.
+    pub speed: f64,
+    /// Whether time stands.
+    pub is_paused: bool,
+}
+
+impl SceneFile {
+    /// The steps up to this one, counted from 0; none before the first.
+    fn steps_to(&self, step: Option<usize>) -> &[StepFile] {
+        let count = step.map_or(0, |step| step + 1).min(self.steps.len());
+        self.steps.get(..count).unwrap_or_default()
+    }
+
+    /// The step at which its telling begins; none where it is shown as a whole.
+    #[must_use]
+    pub fn first_step(&self) -> Option<usize> {
+        (!self.steps.is_empty()).then_some(0)
+    }
+
+    /// How the scene is looked at once this step (counted from 0) is reached; as a whole where it is none.
+    #[must_use]
+    pub fn view_at(&self, step: Option<usize>) -> ViewFile {
+        let mut view = self.view.clone();
+        for step in self.steps_to(step) {
+            step.change(&mut view);
+        }
+        view
+    }
+
+    /// How time runs once this step is reached.
+    #[must_use]
+    pub fn pace_at(&self, step: Option<usize>) -> Pace {
+        let start = Pace { time: None, speed: 1.0, is_paused: false };
+        self.steps_to(step).iter().fold(start, |pace, step| Pace {
+            time: step.time.or(pace.time),
+            speed: step.speed.unwrap_or(pace.speed),
+            is_paused: step.pause.unwrap_or(pace.is_paused),
+        })
+    }
+
+    /// What is said at this step: its text, or that of the last step before that has one, or the scene's.
+    #[must_use]
+    pub fn text_at(&self, step: Option<usize>) -> &str {
+        let said = self.steps_to(step).iter().rev().map(|step| &*step.text).find(|text| !text.trim().is_empty());
+        said.unwrap_or(&self.text)
+    }
+
+    /// Whether the question is asked at this step: at the last one, when all has been shown.
+    #[must_use]
+    pub fn asks_at(&self, step: Option<usize>) -> bool {
+        step.is_none_or(|step| step + 1 >= self.steps.len())
+    }
+}
+
+impl StepFile {
+    /// Says what it says over the settings of a view.
+    fn change(&self, view: &mut ViewFile) {
+        // Names of their own go before that of all.
+        for is_all in [true, false] {
+            name(&self.hide, is_all, &mut view.hide, &mut view.show);
+            name(&self.show, is_all, &mut view.show, &mut view.hide);
+        }
+        view.layout = self.layout.or(view.layout);
+        view.slow_at_flip = self.slow_at_flip.or(view.slow_at_flip);
+        view.world_camera = self.world_camera.over(&view.world_camera);
+        view.body_camera = self.body_camera.over(&view.body_camera);
+    }
+}
+
+impl CameraFile {
+    /// What this says, and where it says nothing what the other one says.
+    #[must_use]
+    pub fn over(&self, other: &Self) -> Self {
+        Self {
+            azimuth_deg: self.azimuth_deg.or(other.azimuth_deg),
+            elevation_deg: self.elevation_deg.or(other.elevation_deg),
+            distance: self.distance.or(other.distance),
+            target: self.target.or(other.target),
+        }
+    }
+}
+
+/// Puts names into a list, and takes them out of its opposite: that of all, which empties the opposite, or the others.
+fn name(names: &[String], is_all: bool, list: &mut Vec<String>, opposite: &mut Vec<String>) {
+    for name in names.iter().filter(|name| (*name == ALL) == is_all) {
+        opposite.retain(|other| !is_all && other != name);
+        if !list.contains(name) {
+            list.push(name.clone());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::{CameraFile, Layout, Pace, SceneError, SceneFile};
+
+    #[test]
+    fn a_step_leaves_what_it_does_not_say_as_it_was() -> Result<(), SceneError> {
+        let file = SceneFile::parse(
+            r"
+text = 'whole'
+question = 'why?'
+[view]
+show = ['annulus']
+azimuth_deg = 3
+[[step]]
+text = 'one'
+hide = ['all']
+show = ['body']
+layout = 'world'
+world_camera = { distance = 2 }
+time = 4
+speed = 0.25
+slow_at_flip = true
+[[step]]
+show = ['momentum']
+world_camera = { azimuth_deg = 7 }
+pause = true
+[[step]]
+text = 'three'
+show = ['all']
+hide = ['momentum']
+layout = 'both'
+speed = 1
+pause = false",
+        )?;
+        let names = |step| {
+            let view = file.view_at(step);
+            format!("{} − {}", view.show.join(" "), view.hide.join(" "))
+        };
+        assert_eq!(
+            [None, Some(0), Some(1), Some(2), Some(9)].map(names),
+            ["annulus − ", "body − all", "body momentum − all", "body all − momentum", "body all − momentum"]
+        );
+        let second = file.view_at(Some(1));
+        let camera = CameraFile { azimuth_deg: Some(7.0), distance: Some(2.0), ..CameraFile::default() };
+        assert_eq!((second.layout, second.world_camera, second.azimuth_deg), (Some(Layout::World), camera, Some(3.0)));
+        assert_eq!((second.slow_at_flip, file.view_at(None).slow_at_flip), (Some(true), None));
+        assert_eq!([None, Some(0), Some(1), Some(2)].map(|step| file.text_at(step)), ["whole", "one", "one", "three"]);
+        assert_eq!([None, Some(0), Some(1), Some(2)].map(|step| file.asks_at(step)), [true, false, false, true]);
+        let pace = |time, speed, is_paused| Pace { time, speed, is_paused };
+        assert_eq!(
+            [None, Some(0), Some(1), Some(2)].map(|step| file.pace_at(step)),
+            [
+                pace(None, 1.0, false),
+                pace(Some(4.0), 0.25, false),
+                pace(Some(4.0), 0.25, true),
+                pace(Some(4.0), 1.0, false)
+            ]
+        );
+        Ok(())
+    }
+}
