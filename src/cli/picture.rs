@@ -33,7 +33,7 @@ pub(super) struct ShotArguments {
     #[command(flatten)]
     picture: PictureArguments,
     /// File to write, or - for standard output
-    #[arg(short, long, value_name = "FILE.png|.svg|-")]
+    #[arg(short, long, value_name = "FILE.png|.svg|.pdf|-")]
     output: PathBuf,
     /// With the window's panel in the picture
     #[cfg(feature = "window")]
@@ -86,9 +86,10 @@ fn format(output: &Path) -> Result<Option<FigureFormat>, Failure> {
     match ending.as_deref() {
         Some("png") => Ok(None),
         Some("svg") => Ok(Some(FigureFormat::Svg)),
+        Some("pdf") => Ok(Some(FigureFormat::Pdf)),
         _ if files::takes_streams(output) => Ok(None),
         _ => Err(Failure::request(format!(
-            "{} names no format that shot writes: give a name ending in .png or .svg, or - for standard output",
+            "{} names no format that shot writes: give a name ending in .png, .svg or .pdf, or - for standard output",
             output.display()
         ))),
     }

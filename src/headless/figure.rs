@@ -18,6 +18,8 @@ const SCREEN: f64 = 72.0 / 96.0;
 pub enum FigureFormat {
     /// SVG.
     Svg,
+    /// PDF.
+    Pdf,
 }
 
 /// Draws a scene as its simulation is now, by its own view, on the device that the options opened: the bytes of a file.
@@ -41,6 +43,7 @@ pub fn figure(
     let options = figure_options(options.size, letters);
     Ok(match format {
         FigureFormat::Svg => vector::svg(&frame, &surfaces, &options, remarks)?.into_bytes(),
+        FigureFormat::Pdf => vector::pdf(&frame, &surfaces, &options, remarks)?,
     })
 }
 

@@ -40,18 +40,38 @@ pub fn encode_marked(
     Ok(bytes)
 }
 
-/// Pixels inside of another file as a small PNG: the bytes as [`colours`] gives them.
+/// Pixels inside of another file as a small PNG, with so many bytes a pixel: grey, colours, or colours with their straight opacity.
 ///
 /// # Errors
 /// None but for a picture with no pixels.
-pub fn encode_small(size: [u32; 2], transparent: bool, colours: &[u8]) -> Result<Vec<u8>, EncodingError> {
-    let mut bytes = vec![];
-    let mut encoder = encoder(&mut bytes, size, transparent);
+pub fn encode_small(size: [u32; 2], channels: usize, bytes: &[u8]) -> Result<Vec<u8>, EncodingError> {
+    let mut file = vec![];
+    let mut encoder = encoder(&mut file, size, channels == 4);
     encoder.set_compression(png::Compression::Balanced);
+    if channels == 1 {
+        encoder.set_color(png::ColorType::Grayscale);
+    }
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(colours)?;
+    writer.write_image_data(bytes)?;
     writer.finish()?;
-    Ok(bytes)
+    Ok(file)
+}
+
+/// The packed rows of a PNG file, as other formats take them too: each filtered by the filter that its first byte names.
+#[must_use]
+pub fn packed_rows(file: &[u8]) -> Vec<u8> {
+    let mut rows = vec![];
+    let mut rest = file.get(8..).unwrap_or_default();
+    while let Some((head, after)) = rest.split_at_checked(8) {
+        let length = head.iter().take(4).fold(0_usize, |length, byte| length << 8 | usize::from(*byte));
+        let Some((data, after)) = after.split_at_checked(length) else { break };
+        if head.ends_with(b"IDAT") {
+            rows.extend_from_slice(data);
+        }
+        // Behind it is a check sum.
+        rest = after.get(4..).unwrap_or_default();
+    }
+    rows
 }
 
 /// How every picture is encoded, those of a moving one too: eight bits of sRGB, fast.

@@ -44,6 +44,13 @@ pub(super) struct Picture {
     pub(super) has_opacity: bool,
 }
 
+impl Picture {
+    /// Bytes a pixel.
+    pub(super) fn channels(&self) -> usize {
+        if self.has_opacity { 4 } else { 3 }
+    }
+}
+
 /// How a pen draws.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pen {

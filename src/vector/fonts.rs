@@ -46,6 +46,20 @@ impl UsedFont {
         subsetter::subset(TYPEFACES.get(self.number)?, 0, &self.remapper).ok()
     }
 
+    /// Width of a glyph, in thousandths of an em.
+    pub(super) fn width(&self, old: u16) -> f32 {
+        let font = TYPEFACES.get(self.number).and_then(|bytes| FontRef::try_from_slice(bytes).ok());
+        let units = font.as_ref().and_then(Font::units_per_em).unwrap_or(1000.0);
+        font.map_or(0.0, |font| font.h_advance_unscaled(GlyphId(old)) / units * 1000.0)
+    }
+
+    /// What is above and below the base line, in thousandths of an em.
+    pub(super) fn reach(&self) -> [f32; 2] {
+        let font = TYPEFACES.get(self.number).and_then(|bytes| FontRef::try_from_slice(bytes).ok());
+        let units = font.as_ref().and_then(Font::units_per_em).unwrap_or(1000.0);
+        font.map_or([0.0; 2], |font| [font.ascent_unscaled(), font.descent_unscaled()].map(|far| far / units * 1000.0))
+    }
+
     /// The cut out font as browsers take it: with the table from characters to glyphs, and what they ask for besides.
     pub(super) fn for_browsers(&self) -> Option<Vec<u8>> {
         let whole = *TYPEFACES.get(self.number)?;

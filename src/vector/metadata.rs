@@ -22,6 +22,15 @@ pub(super) fn description(remarks: &[Remark]) -> String {
     text
 }
 
+/// The packet that holds the remarks in a document, as XMP has it.
+pub(super) fn packet(remarks: &[Remark]) -> String {
+    let description = description(remarks);
+    format!(
+        "<?xpacket begin=\"\u{feff}\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">\n\
+         {description}\n</x:xmpmeta>\n<?xpacket end=\"r\"?>"
+    )
+}
+
 /// The remarks in the bytes of a figure, in order; none where it has none.
 #[must_use]
 pub fn read_remarks(bytes: &[u8]) -> Vec<(String, String)> {

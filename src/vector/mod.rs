@@ -9,6 +9,7 @@ mod fonts;
 mod lines;
 mod marks;
 mod metadata;
+mod pdf;
 mod sight;
 mod svg;
 
@@ -52,4 +53,17 @@ pub fn svg(
     remarks: &[Remark],
 ) -> Result<String, EncodingError> {
     svg::write(&figure::draw(frame, surfaces, options), options, remarks)
+}
+
+/// The same as PDF, of one page as large as the figure.
+///
+/// # Errors
+/// None but for pixels that cannot be encoded.
+pub fn pdf(
+    frame: &Frame,
+    surfaces: &Surfaces,
+    options: &FigureOptions,
+    remarks: &[Remark],
+) -> Result<Vec<u8>, EncodingError> {
+    pdf::write(&figure::draw(frame, surfaces, options), options, remarks)
 }

@@ -110,7 +110,7 @@ impl Writer {
     fn picture(&mut self, picture: &Picture) -> Result<(), EncodingError> {
         let [x, y] = picture.corner;
         let [width, height] = picture.size;
-        let bytes = encode_small(picture.size, picture.has_opacity, &picture.bytes)?;
+        let bytes = encode_small(picture.size, picture.channels(), &picture.bytes)?;
         let _ = write!(
             self.body,
             "<image x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" preserveAspectRatio=\"none\" \
