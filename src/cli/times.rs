@@ -182,12 +182,14 @@ pub(super) fn check_steps<'a>(
         if method.is_direct {
             continue;
         }
-        let mut integration = Integration::new(method, &scene.body, scene.start, scene.step);
+        let mut integration =
+            Integration::with_energy_loss(method, &scene.body, scene.start, scene.step, scene.energy_loss);
         let begun = Instant::now();
         let trial = integration.advance(TRIAL);
         let seconds = begun.elapsed().as_secs_f64() / TRIAL as f64 * steps;
         let lasting = if trial.is_ok() { format!(", about {}", span(seconds)) } else { String::new() };
-        let direct = METHODS.iter().find(|method| method.is_direct);
+        // Where energy is lost none goes there at once.
+        let direct = METHODS.iter().find(|method| method.is_direct && scene.energy_loss == 0.0);
         let instead = direct.map_or_else(String::new, |method| {
             format!("--method {}, which goes to any time at once, or ", method.name)
         });

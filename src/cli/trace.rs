@@ -52,7 +52,8 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), Failure> {
     let scene = arguments.scene.scene(None, arguments.quiet)?;
     check_place(&arguments.output)?;
     let rows = rows(arguments, &scene)?;
-    let mut integration = Integration::new(scene.method, &scene.body, scene.start, scene.step);
+    let mut integration =
+        Integration::with_energy_loss(scene.method, &scene.body, scene.start, scene.step, scene.energy_loss);
     let mut state_at =
         |time| integration.state_at(time).map_err(|error| Failure::could_not(format!("at {} s: {error}", short(time))));
     write_whole(&arguments.output, |writer| {

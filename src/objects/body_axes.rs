@@ -4,7 +4,7 @@ use glam::{Mat3, Vec2, Vec3};
 
 use super::{Context, labels};
 use crate::frame::{Color, Label, Line, LinePoint, Pane, Quadric, QuadricPair, single, single_matrix};
-use crate::physics::{Motion, State};
+use crate::physics::State;
 
 /// Half length of the drawn axes, and radius of the sphere.
 const REACH: f32 = 1.12;
@@ -74,7 +74,6 @@ pub(super) fn trail_of_axis<const NUMBER: usize>(context: &Context<'_>, pane: &m
 
 /// The way of an axis over the last two flips.
 fn trail_of(number: usize, context: &Context<'_>, pane: &mut Pane) {
-    let simulation = context.simulation;
     if context.unit_momentum().is_none() {
         return;
     }
@@ -85,12 +84,10 @@ fn trail_of(number: usize, context: &Context<'_>, pane: &mut Pane) {
     if !pane.quadrics.contains(&sphere) {
         pane.quadrics.push(sphere);
     }
-    let motion = Motion::new(simulation.body(), simulation.state());
-    let points = (0..=TRAIL_POINTS).map(|n| {
-        let part = f64::from(n) / f64::from(TRAIL_POINTS);
-        let state = motion.state(-2.0 * context.period() * part);
-        let position = world_from_principal(context, &state).col(number) * REACH;
-        LinePoint { position, color: color.fade(1.0 - part as f32) }
+    let states = context.simulation.around(-2.0 * context.period(), 0.0, TRAIL_POINTS);
+    let points = states.iter().rev().enumerate().map(|(n, state)| {
+        let position = world_from_principal(context, state).col(number) * REACH;
+        LinePoint { position, color: color.fade(1.0 - n as f32 / TRAIL_POINTS as f32) }
     });
     let points: Vec<LinePoint> = points.filter(|point| point.position.is_finite()).collect();
     pane.lines.push(Line { points, ..Line::new([], 2.6, color).through(0.3) });

@@ -63,6 +63,13 @@ impl<'a> Context<'a> {
         let turn = TAU / so3::norm(scene.start.body_angular_velocity(&scene.body));
         let flip = poinsot::flip_period_of(&scene.body, &scene.start);
         let period = flip.unwrap_or(2.0 * turn).min(20.0 * turn);
+        // Where energy is lost, ω's tip comes down: with Poinsot's construction the plane that is rolled on comes up likewise.
+        let rolls = shows_any(settings, |role| matches!(role, Role::RollingEllipsoid | Role::OnPlane));
+        let left = if simulation.energy_loss() > 0.0 && rolls && energy > 0.0 {
+            simulation.state().energy(&scene.body) / energy
+        } else {
+            1.0
+        };
         let reciprocal = |value: f64| if value.is_normal() { value.recip() } else { 0.0 };
         Self {
             scene,
@@ -74,7 +81,7 @@ impl<'a> Context<'a> {
             per_metre: BODY_RADIUS * reciprocal(radius),
             momentum_length,
             per_radian: plane_height * reciprocal(height),
-            plane_height,
+            plane_height: plane_height * left,
             // Where the sphere |M| = |L| is drawn too, L ends on it.
             momentum_arrow: if shows_any(settings, |role| role == Role::MomentumSphere) { 1.0 } else { MOMENTUM_ARROW },
             period: if period.is_finite() { period } else { 1.0 },

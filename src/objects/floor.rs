@@ -12,7 +12,7 @@ use crate::frame::{
     Color, Dash, Label, LabelStyle, Line, LinePoint, Mark, Marker, Mesh, Pane, Quadric, QuadricPair, Vertex,
 };
 use crate::frame::{single, single_matrix};
-use crate::physics::{Motion, poinsot};
+use crate::physics::poinsot;
 
 /// Radius of the drawn part of the plane.
 const PLANE_RADIUS: f32 = 0.9;
@@ -114,14 +114,13 @@ pub(super) fn herpolhode(context: &Context<'_>, pane: &mut Pane) {
     if context.unit_momentum().is_none() {
         return;
     }
-    let motion = Motion::new(body, simulation.state());
+    let reach = FLIPS * context.period();
     let color = context.palette.omega;
     let mut points: Vec<LinePoint> = vec![];
-    for n in 0..=HERPOLHODE_POINTS {
-        let part = 2.0 * f64::from(n) / f64::from(HERPOLHODE_POINTS) - 1.0;
-        let omega = motion.state(part * FLIPS * context.period()).world_angular_velocity(body);
-        let position = -context.world_angular_velocity(omega);
-        let strength = if part > 0.0 { 0.35 } else { 1.0 } * (1.0 - part.abs() as f32);
+    for (n, state) in simulation.around(-reach, reach, HERPOLHODE_POINTS).iter().enumerate() {
+        let part = 2.0 * n as f32 / HERPOLHODE_POINTS as f32 - 1.0;
+        let position = -context.world_angular_velocity(state.world_angular_velocity(body));
+        let strength = if part > 0.0 { 0.35 } else { 1.0 } * (1.0 - part.abs());
         if points.last().is_none_or(|last| last.position.distance(position) > SPACING) && position.is_finite() {
             points.push(LinePoint { position, color: color.fade(strength) });
         }

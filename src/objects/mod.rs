@@ -24,6 +24,7 @@ mod separatrix;
 mod surfaces;
 mod theme;
 mod tip;
+mod track;
 mod vectors;
 
 use Space::{Momentum, World};
@@ -297,6 +298,14 @@ pub static OBJECTS: &[Object] = &[
         true,
         ghosts::marks,
         "The tips of M of the methods that are compared",
+    ),
+    object(
+        "track",
+        "Way of M since the start",
+        Momentum,
+        false,
+        track::draw,
+        "The way of M since the start: where energy is lost a spiral from ring to ring",
     ),
     object("tail", "Tail of M", Momentum, true, tip::tail, "The way that the tip of M has just come"),
     TIP,

@@ -16,6 +16,10 @@ const MOST_OF_A_PANE: f32 = 0.25;
 /// Of the world.
 pub(super) fn world(context: &Context<'_>, pane: &mut Pane) {
     caption(context, pane, "seen from the room: L stays");
+    if context.simulation.energy_loss() > 0.0 {
+        let left = 100.0 * (1.0 + context.simulation.energy_error());
+        caption(context, pane, &format!("energy is lost: {left:.0} % of K is left"));
+    }
     legend(context, pane);
 }
 

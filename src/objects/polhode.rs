@@ -24,8 +24,10 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     // A steady spin is a point of the sphere and no line.
     let is_line = points.iter().any(|point| point.distance(points[0]) > 0.05);
     if let Some(&anchor) = points.iter().filter(|_| is_line).max_by(|a, b| fitness(**a).total_cmp(&fitness(**b))) {
-        let mut label =
-            Label::new(anchor, Vec2::new(1.0, 0.4), "polhode: path of M", context.palette.polhode, labels::PATH);
+        // Where energy is lost M leaves it at once for the next one.
+        let is_left = context.simulation.energy_loss() > 0.0;
+        let name = if is_left { "polhode of this energy" } else { "polhode: path of M" };
+        let mut label = Label::new(anchor, Vec2::new(1.0, 0.4), name, context.palette.polhode, labels::PATH);
         // Else outside the loop, where M does not come by.
         let middle = points.iter().sum::<Vec3>() / points.len() as f32;
         let near = points.iter().step_by(POINTS / PLACES).filter(|point| point.dot(forward) < 0.0);

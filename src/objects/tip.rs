@@ -4,7 +4,6 @@ use glam::{Vec2, Vec3};
 
 use super::{Context, arrow, labels};
 use crate::frame::{Label, Line, LinePoint, Mark, Marker, Pane};
-use crate::physics::Motion;
 
 /// Points of the tail.
 const TAIL_POINTS: u32 = 40;
@@ -27,13 +26,11 @@ pub(super) fn tail(context: &Context<'_>, pane: &mut Pane) {
     if context.unit_momentum().is_none() {
         return;
     }
-    let motion = Motion::new(context.simulation.body(), context.simulation.state());
-    let duration = 0.22 * context.period();
-    let points = (0..=TAIL_POINTS).map(|n| {
-        let part = f64::from(n) / f64::from(TAIL_POINTS);
-        let momentum = motion.state(-duration * part).body_momentum;
-        let color = context.palette.momentum.fade((1.0 - part as f32).powi(2));
-        LinePoint { position: context.body_momentum(momentum), color }
+    let states = context.simulation.around(-0.22 * context.period(), 0.0, TAIL_POINTS);
+    let points = states.iter().rev().enumerate().map(|(n, state)| {
+        let part = n as f32 / TAIL_POINTS as f32;
+        let color = context.palette.momentum.fade((1.0 - part).powi(2));
+        LinePoint { position: context.body_momentum(state.body_momentum), color }
     });
     let points: Vec<LinePoint> = points.filter(|point| point.position.is_finite()).collect();
     pane.lines.push(Line { points, ..Line::new([], 9.0, context.palette.momentum).through(0.4) });

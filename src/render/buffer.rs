@@ -38,8 +38,7 @@ impl FrameBuffer {
     }
 }
 
-/// Quads, each described by one value. Every corner gets its own copy of the value: drivers without a GPU spend far
-/// longer on an instance than on four corners. A shader tells the corners apart by `vertex_index & 3`.
+/// Quads. Every corner holds all that its quad is: drivers without a GPU spend far longer on an instance than on four corners.
 pub(super) struct QuadBuffer {
     corners: FrameBuffer,
     indices: FrameBuffer,
@@ -56,11 +55,12 @@ impl QuadBuffer {
         }
     }
 
-    pub(super) fn write<T: bytemuck::Pod>(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, quads: &[T]) {
-        let corners: Vec<T> = quads.iter().flat_map(|quad| [*quad; 4]).collect();
-        self.corners.write(device, queue, bytemuck::cast_slice(&corners));
-        if quads.len() > self.indexed {
-            self.indexed = quads.len().next_power_of_two();
+    /// Takes the corners of the quads, four after four.
+    pub(super) fn write<T: bytemuck::Pod>(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, corners: &[T]) {
+        self.corners.write(device, queue, bytemuck::cast_slice(corners));
+        let quads = corners.len() / 4;
+        if quads > self.indexed {
+            self.indexed = quads.next_power_of_two();
             let indices: Vec<u32> =
                 (0..self.indexed as u32).flat_map(|quad| [0, 1, 2, 2, 1, 3].map(|corner| 4 * quad + corner)).collect();
             self.indices.write(device, queue, bytemuck::cast_slice(&indices));
@@ -106,13 +106,12 @@ impl UniformBuffer {
                 count: None,
             }],
         });
-        let alignment = device.limits().min_uniform_buffer_offset_alignment as usize;
         Self {
             buffer: FrameBuffer::new(label, wgpu::BufferUsages::UNIFORM),
             layout,
             group: None,
             size: size as u64,
-            stride: size.next_multiple_of(alignment),
+            stride: stride(device, size),
         }
     }
 
@@ -146,4 +145,9 @@ impl UniformBuffer {
     pub(super) fn bind(&self, pass: &mut wgpu::RenderPass<'_>, group: u32, number: usize) {
         pass.set_bind_group(group, self.group.as_ref(), &[(self.stride * number) as u32]);
     }
+}
+
+/// Bytes from one uniform of this size to the next one in a buffer.
+pub(super) fn stride(device: &wgpu::Device, size: usize) -> usize {
+    size.next_multiple_of(device.limits().min_uniform_buffer_offset_alignment as usize)
 }

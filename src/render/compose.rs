@@ -2,8 +2,8 @@
 //! changed; the panels around it come and go without it.
 
 use super::gpu::Gpu;
+use super::pipeline::Recipe;
 use super::targets::FORMAT;
-use super::transfer::Transfer;
 
 /// The picture's texture and what copies it.
 #[derive(Debug)]
@@ -22,15 +22,30 @@ struct Picture {
 
 impl Compose {
     pub(super) fn new(gpu: &Gpu, window_format: wgpu::TextureFormat) -> Self {
-        let transfer = Transfer {
-            label: "picture in window",
-            source: wgpu::include_wgsl!("../../shaders/blit.wgsl"),
-            multisampled: false,
-            buffers: &[],
-            constants: &[("decode", f64::from(u8::from(window_format.is_srgb())))],
+        let device = &gpu.device;
+        let label = Some("picture in window");
+        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label,
+            entries: &[wgpu::BindGroupLayoutEntry {
+                binding: 0,
+                visibility: wgpu::ShaderStages::FRAGMENT,
+                ty: wgpu::BindingType::Texture {
+                    sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                    view_dimension: wgpu::TextureViewDimension::D2,
+                    multisampled: false,
+                },
+                count: None,
+            }],
+        });
+        let module = device.create_shader_module(wgpu::include_wgsl!("../../shaders/blit.wgsl"));
+        let pipeline = Recipe {
+            groups: &[&layout],
             format: window_format,
-        };
-        let (pipeline, layout) = transfer.pipeline(&gpu.device);
+            blend: None,
+            constants: &[("decode", f64::from(u8::from(window_format.is_srgb())))],
+            ..Recipe::new("picture in window", &module)
+        }
+        .pipeline(device);
         Self { pipeline, layout, picture: None }
     }
 

@@ -4,8 +4,13 @@ use std::collections::HashMap;
 
 use ab_glyph::{Font, FontRef, GlyphId, ScaleFont};
 
-/// Width and height of the atlas in pixels.
+/// Width of the atlas in pixels, and the most that it is high.
 const SIDE: u32 = 2048;
+const HIGHEST: u32 = 4096;
+/// Directions in which a halo is spread, and the opacity of its outer ring; the inner one is full.
+const HALO_DIRECTIONS: u8 = 8;
+pub(super) const HALO_OUTER: u16 = 154;
+pub(super) const HALO_INNER: f32 = 0.6;
 /// Largest em in pixels: beyond it the atlas would hold too few glyphs.
 const LARGEST: f32 = 220.0;
 /// Free pixels round each glyph.
@@ -45,9 +50,13 @@ pub struct Letter {
     size: f32,
 }
 
+/// A font's number, one of its glyphs, its size in pixels an em and the radius of its halo, both as bits.
+type Key = (usize, GlyphId, [u32; 2]);
+
 /// A glyph of a laid out text, in pixels from the text's top left corner.
 #[derive(Clone, Copy)]
 pub(super) struct PlacedGlyph {
+    key: Key,
     pub(super) low: [f32; 2],
     pub(super) extent: [u32; 2],
     pub(super) source: [u32; 2],
@@ -63,8 +72,8 @@ pub(super) struct TextLine {
 /// Rasterises glyphs when they are first met and keeps them.
 pub(super) struct Glyphs {
     fonts: Vec<FontRef<'static>>,
-    cells: HashMap<(usize, GlyphId, u32), Option<Cell>>,
-    /// Coverage, [`SIDE`]² bytes.
+    cells: HashMap<Key, Option<Cell>>,
+    /// Coverage, rows of [`SIDE`] bytes as far as they are in use.
     pixels: Vec<u8>,
     /// The shelf being filled: left end, top, height.
     shelf: [u32; 3],
@@ -79,25 +88,24 @@ impl Glyphs {
         Self {
             fonts: TYPEFACES.iter().filter_map(|bytes| FontRef::try_from_slice(bytes).ok()).collect(),
             cells: HashMap::new(),
-            pixels: vec![0; (SIDE * SIDE) as usize],
+            pixels: vec![],
             shelf: [0; 3],
             changed: false,
             full: false,
         }
     }
 
-    /// The filled rows of the atlas, if they changed since the last call.
-    pub(super) fn take_changed(&mut self) -> Option<(u32, &[u8])> {
-        let rows = self.shelf[1] + self.shelf[2];
-        let filled = self.pixels.get(..(rows * SIDE) as usize)?;
-        (std::mem::take(&mut self.changed) && rows > 0).then_some((rows, filled))
+    /// How many rows of the atlas are in use, and what they hold where that changed since the last call.
+    pub(super) fn take_changed(&mut self) -> (u32, Option<&[u8]>) {
+        let rows = (self.pixels.len() / SIDE as usize) as u32;
+        (rows, (std::mem::take(&mut self.changed) && rows > 0).then_some(&*self.pixels))
     }
 
     /// Empties an atlas that has run full, so that the sizes now in use find room.
     pub(super) fn begin_frame(&mut self) {
         if std::mem::take(&mut self.full) {
             self.cells.clear();
-            self.pixels.fill(0);
+            self.pixels.clear();
             self.shelf = [0; 3];
         }
     }
@@ -108,9 +116,12 @@ impl Glyphs {
         let (letters, extent) = self.set(text, size);
         let mut glyphs = vec![];
         for letter in &letters {
-            if let Some(cell) = self.cell(letter.font, GlyphId(letter.glyph), letter.size) {
+            let (number, id, size) = (letter.font, GlyphId(letter.glyph), letter.size);
+            let key = (number, id, [size.to_bits(), 0]);
+            if let Some(cell) = self.cell(key, |glyphs| glyphs.rasterise(number, id, size)) {
                 let [x, y] = letter.pen;
                 glyphs.push(PlacedGlyph {
+                    key,
                     low: [(x + cell.bearing[0]).round(), (y + cell.bearing[1]).round()],
                     extent: cell.extent,
                     source: cell.source,
@@ -160,12 +171,21 @@ impl Glyphs {
         (letters, [pen, height])
     }
 
-    fn cell(&mut self, number: usize, id: GlyphId, size: f32) -> Option<Cell> {
-        let key = (number, id, size.to_bits());
+    /// The halo of a glyph, this many pixels wide: what of it is under the glyph too.
+    pub(super) fn halo(&mut self, glyph: &PlacedGlyph, radius: f32) -> Option<PlacedGlyph> {
+        let (number, id, [size, _]) = glyph.key;
+        let key = (number, id, [size, radius.to_bits()]);
+        let rim = radius.ceil() as u32 + 1;
+        let cell = self.cell(key, |glyphs| glyphs.spread(glyph, radius, rim))?;
+        let low = glyph.low.map(|side| side - rim as f32);
+        Some(PlacedGlyph { key, low, extent: cell.extent, source: cell.source })
+    }
+
+    fn cell(&mut self, key: Key, make: impl FnOnce(&mut Self) -> Option<Cell>) -> Option<Cell> {
         if let Some(cell) = self.cells.get(&key) {
             return *cell;
         }
-        let cell = self.rasterise(number, id, size);
+        let cell = make(self);
         self.cells.insert(key, cell);
         cell
     }
@@ -181,8 +201,39 @@ impl Glyphs {
                 *pixel = (coverage.clamp(0.0, 1.0) * 255.0).round() as u8;
             }
         });
-        self.changed = true;
         Some(Cell { source, extent, bearing: [bounds.min.x, bounds.min.y] })
+    }
+
+    /// Draws a glyph's halo: the most of what the glyph covers on two rings round each pixel, with so wide a rim.
+    fn spread(&mut self, glyph: &PlacedGlyph, radius: f32, rim: u32) -> Option<Cell> {
+        let [width, height] = glyph.extent;
+        let extent = [width + 2 * rim, height + 2 * rim];
+        let source = self.reserve(extent)?;
+        let ring = |factor: f32| {
+            let directions = (0..HALO_DIRECTIONS).map(f32::from);
+            directions.map(move |n| glam::Vec2::from_angle(n * std::f32::consts::FRAC_PI_4) * (radius * factor))
+        };
+        // In 256ths.
+        let rings = ring(1.0).map(|away| (away, HALO_OUTER)).chain(ring(HALO_INNER).map(|away| (away, 256)));
+        let middle = std::iter::once((glam::Vec2::ZERO, 256));
+        let mut cover = vec![0; (extent[0] * extent[1]) as usize];
+        for (away, factor) in rings.chain(middle) {
+            let [left, top] = away.to_array().map(|side| (side.round() + rim as f32).max(0.0) as usize);
+            for row in 0..height {
+                let from = ((glyph.source[1] + row) * SIDE + glyph.source[0]) as usize;
+                let to = (top + row as usize) * extent[0] as usize + left;
+                let ink = self.pixels.get(from..from + width as usize)?;
+                let halo = cover.get_mut(to..to + width as usize)?;
+                for (halo, ink) in halo.iter_mut().zip(ink) {
+                    *halo = (*halo).max(((u16::from(*ink) * factor) >> 8) as u8);
+                }
+            }
+        }
+        for (row, line) in cover.chunks_exact(extent[0] as usize).enumerate() {
+            let to = (source[1] as usize + row) * SIDE as usize + source[0] as usize;
+            self.pixels.get_mut(to..to + line.len())?.copy_from_slice(line);
+        }
+        Some(Cell { source, extent, bearing: [0.0; 2] })
     }
 
     /// Room for a glyph, on the open shelf or a new one.
@@ -191,9 +242,14 @@ impl Glyphs {
         if self.shelf[0] + wide > SIDE {
             self.shelf = [0, self.shelf[1] + self.shelf[2], 0];
         }
-        if wide > SIDE || self.shelf[1] + high > SIDE {
+        if wide > SIDE || self.shelf[1] + high > HIGHEST {
             self.full = true;
             return None;
+        }
+        self.changed = true;
+        let rows = (self.shelf[1] + self.shelf[2].max(high)) as usize;
+        if self.pixels.len() < rows * SIDE as usize {
+            self.pixels.resize(rows * SIDE as usize, 0);
         }
         let place = [self.shelf[0], self.shelf[1]];
         self.shelf[0] += wide;
@@ -231,5 +287,29 @@ mod tests {
         assert!(exponent.1 >= 11, "{exponent:?}");
         // Higher than the base's, and within the line.
         assert!(exponent.0 < base.0 && exponent.0 >= 0.0, "{exponent:?} {base:?}");
+    }
+
+    #[test]
+    fn a_halo_lies_all_round_its_glyph() {
+        let mut glyphs = Glyphs::new();
+        let line = glyphs.lay_out("I", 24.0);
+        let ink = line.glyphs[0];
+        let halo = glyphs.halo(&ink, 2.4).map(|halo| (halo.low, halo.extent, halo.source));
+        // Two pixels and most of a third, and one to spare.
+        let expected = (ink.low.map(|side| side - 4.0), ink.extent.map(|side| side + 8));
+        let Some((low, extent, source)) = halo else { unreachable!("there is room for it") };
+        assert_eq!((low, extent), expected);
+        let (_, pixels) = glyphs.take_changed();
+        let at = |[x, y]: [u32; 2]| {
+            pixels.map_or(0, |pixels| pixels[((source[1] + y) * super::SIDE + source[0] + x) as usize])
+        };
+        let row = extent[1] / 2;
+        let is_inked = |x: &u32| at([*x, row]) == 255;
+        let Some(first) = (0..extent[0]).find(is_inked) else { unreachable!("a stem has ink") };
+        // The stem's own full column, and what spreads of it: in full to 0.6 of the radius, then fainter, and at last not at all.
+        let ring = [first, first - 1, first - 2].map(|x| at([x, row]));
+        assert_eq!(ring[0], 255);
+        assert!(ring[1] >= 153 && ring[1] < 255 && ring[2] < ring[1], "{ring:?}");
+        assert_eq!(at([0, row]), 0);
     }
 }

@@ -4,12 +4,11 @@ use std::mem::offset_of;
 
 use wgpu::naga;
 
-use super::line::SegmentData;
-use super::marker::MarkData;
 use super::mesh::VertexData;
+use super::overlay::{self, QuadData, ViewUniform};
 use super::pane::PaneUniform;
 use super::quadrics::{PairUniform, QuadricData};
-use super::text::GlyphData;
+use super::solids::PlacedData;
 
 const PANE: &str = include_str!("../../shaders/pane.wgsl");
 
@@ -56,6 +55,7 @@ fn uniforms_match_the_shaders() {
         fill_light,
         metrics
     );
+    same_layout!(&module(&overlay::source()), "View", ViewUniform, ndc_from_pixel, corner, strength);
     same_layout!(&quadrics, "Quadric", QuadricData, unit_from_world, color);
     same_layout!(&quadrics, "Pair", PairUniform, first, second, choice);
 }
@@ -94,8 +94,7 @@ macro_rules! same_inputs {
 #[test]
 fn vertices_hold_what_the_shaders_read() {
     same_inputs!(include_str!("../../shaders/mesh.wgsl"), VertexData, position, normal, color);
-    let line = include_str!("../../shaders/line.wgsl");
-    same_inputs!(line, SegmentData, before, start, end, after, style, along, start_color, end_color);
-    same_inputs!(&super::marker::source(), MarkData, position, style, color, rim);
-    same_inputs!(include_str!("../../shaders/text.wgsl"), GlyphData, place, source, color);
+    same_inputs!(&overlay::source(), QuadData, position, place, form, measures, style, color, other_color);
+    let solids = [include_str!("../../shaders/solids.wgsl"), include_str!("../../shaders/solids_of_pixels.wgsl")];
+    same_inputs!(&solids.concat(), PlacedData, ndc, shift);
 }

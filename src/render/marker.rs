@@ -1,101 +1,106 @@
-//! Marks: a quad each.
+//! Marks of constant size on the screen, told apart by their form: a quad each.
 
-use std::ops::Range;
+use glam::Vec2;
 
-use bytemuck::{Pod, Zeroable};
-
-use super::buffer::QuadBuffer;
-use super::pipeline::PipelineMaker;
+use super::overlay::{Kind, Quad, QuadData};
+use super::pane::Projection;
+use crate::camera::NEAR;
 use crate::frame::{Mark, Marker};
 
-/// `Mark` of shaders/marker.wgsl.
-#[derive(Clone, Copy, Pod, Zeroable)]
-#[repr(C)]
-pub(super) struct MarkData {
-    pub(super) position: [f32; 3],
-    pub(super) style: [f32; 3],
-    pub(super) color: [f32; 4],
-    pub(super) rim: [f32; 4],
+/// How far marks are drawn before the surfaces they lie on, as a factor on their depth.
+const LIFT: f32 = 1.014;
+/// Width of the rim (points).
+const RIM: f32 = 1.4;
+
+/// How a form is measured, in radii of the mark: its outline is where the larger of `normals[i] · v − extents[i]` is 0, `v` as
+/// its kind has it, in axes of which the first is `turn`.
+struct Form {
+    kind: Kind,
+    normals: [Vec2; 2],
+    extents: [f32; 2],
+    turn: Vec2,
+    /// |x| is measured from here.
+    fold: f32,
+    /// Half the stroke of an empty form.
+    stroke: f32,
 }
 
-/// The names of the marks in the shader, by their places in [`Mark`].
-const FORMS: [(Mark, &str); 15] = [
-    (Mark::Disc, "DISC"),
-    (Mark::Ring, "RING"),
-    (Mark::Diamond, "DIAMOND"),
-    (Mark::Cross, "CROSS"),
-    (Mark::Square, "SQUARE"),
-    (Mark::Triangle, "TRIANGLE"),
-    (Mark::TriangleDown, "TRIANGLE_DOWN"),
-    (Mark::OpenSquare, "OPEN_SQUARE"),
-    (Mark::OpenDiamond, "OPEN_DIAMOND"),
-    (Mark::OpenTriangle, "OPEN_TRIANGLE"),
-    (Mark::Star, "STAR"),
-    (Mark::OpenTriangleDown, "OPEN_TRIANGLE_DOWN"),
-    (Mark::Hourglass, "HOURGLASS"),
-    (Mark::Bow, "BOW"),
-    (Mark::Bars, "BARS"),
-];
+/// Half the stroke of the empty forms.
+const STROKE: f32 = 0.2;
+/// Both axes at 45°.
+const DIAGONAL: Vec2 = Vec2::splat(std::f32::consts::FRAC_1_SQRT_2);
 
-/// The shader after the numbers of the marks, which it names.
-pub(super) fn source() -> String {
-    let numbers: Vec<String> = FORMS.iter().map(|(mark, name)| format!("const {name} = {}u;\n", *mark as u8)).collect();
-    numbers.concat() + include_str!("../../shaders/marker.wgsl")
+impl Form {
+    const fn new(kind: Kind, normals: [Vec2; 2], extents: [f32; 2]) -> Self {
+        Self { kind, normals, extents, turn: Vec2::X, fold: 0.0, stroke: 0.0 }
+    }
+
+    const fn empty(self) -> Self {
+        Self { stroke: STROKE, ..self }
+    }
+
+    const fn turned(self, turn: Vec2) -> Self {
+        Self { turn, ..self }
+    }
+
+    const fn square(half: f32) -> Self {
+        Self::new(Kind::Fourfold, [Vec2::X, Vec2::X], [half, half])
+    }
+
+    const fn triangle(inner: f32) -> Self {
+        Self::new(Kind::Upright, [Vec2::new(0.866, 0.5), Vec2::NEG_Y], [inner, inner])
+    }
+
+    const fn hourglass() -> Self {
+        Self::new(Kind::Upset, [Vec2::Y, Vec2::new(0.743, -0.9 * 0.743)], [0.95, 0.0])
+    }
+
+    const fn of(mark: Mark) -> Self {
+        const HALF: f32 = std::f32::consts::FRAC_1_SQRT_2;
+        match mark {
+            Mark::Disc => Self::new(Kind::Disc, [Vec2::ZERO; 2], [1.0, 0.0]),
+            Mark::Ring => Self::new(Kind::Round, [Vec2::ZERO; 2], [0.8, 0.0]).empty(),
+            Mark::Diamond => Self::square(1.2 * HALF).turned(DIAGONAL),
+            Mark::Cross => Self::new(Kind::Fourfold, [Vec2::X, Vec2::Y], [1.15, 0.26]).turned(DIAGONAL),
+            Mark::Square => Self::square(0.85),
+            Mark::Triangle => Self::triangle(0.6),
+            Mark::TriangleDown => Self::triangle(0.6).turned(Vec2::NEG_X),
+            Mark::OpenSquare => Self::square(0.68).empty(),
+            Mark::OpenDiamond => Self::square(0.95 * HALF).empty().turned(DIAGONAL),
+            Mark::OpenTriangle => Self::triangle(0.45).empty(),
+            Mark::OpenTriangleDown => Self::triangle(0.45).empty().turned(Vec2::NEG_X),
+            Mark::Hourglass => Self::hourglass(),
+            Mark::Bow => Self::hourglass().turned(Vec2::Y),
+            Mark::Bars => Self { fold: 0.55, ..Self::new(Kind::Upset, [Vec2::X, Vec2::Y], [0.27, 0.9]) },
+            // From a tip of one axis to the waist on the diagonal.
+            Mark::Star => Self::new(Kind::Fourfold, [Vec2::new(0.36, 0.933); 2], [0.43, 0.43]),
+        }
+    }
 }
 
-/// Draws the markers of a frame.
-pub(super) struct Markers {
-    seen: wgpu::RenderPipeline,
-    hidden: wgpu::RenderPipeline,
-    marks: QuadBuffer,
-    layers: Vec<Range<u32>>,
-}
-
-impl Markers {
-    pub(super) fn new(maker: &PipelineMaker<'_>) -> Self {
-        let module = maker.module("marker", &source());
-        let attributes = wgpu::vertex_attr_array![
-            0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32x4
-        ];
-        let pipeline = |label, vertex, depth| maker.overlay::<MarkData>(label, &module, &attributes, vertex, depth);
-        Self {
-            seen: pipeline("markers", "vertex_seen", wgpu::CompareFunction::GreaterEqual),
-            hidden: pipeline("hidden markers", "vertex_hidden", wgpu::CompareFunction::Less),
-            marks: QuadBuffer::new("markers"),
-            layers: vec![],
-        }
+/// Adds the corners of a mark, `point` pixels a point.
+pub(super) fn append(marker: &Marker, projection: &Projection<'_>, point: f32, corners: &mut Vec<QuadData>) {
+    let clip = projection.clip(marker.position);
+    if clip.w <= NEAR {
+        return;
     }
-
-    /// Those of each layer, of a pane's world or of what lies on the screen before it.
-    pub(super) fn upload<'a>(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        layers: impl Iterator<Item = &'a [Marker]>,
-    ) {
-        let mut marks = vec![];
-        self.layers.clear();
-        for markers in layers {
-            let start = marks.len() as u32;
-            marks.extend(markers.iter().map(|marker| MarkData {
-                position: marker.position.to_array(),
-                style: [marker.size, marker.hidden, f32::from(marker.mark as u8)],
-                color: marker.color.0,
-                rim: marker.rim.0,
-            }));
-            self.layers.push(start..marks.len() as u32);
-        }
-        self.marks.write(device, queue, &marks);
+    let centre = projection.pixel(clip);
+    let radius = 0.5 * marker.size * point;
+    let form = Form::of(marker.mark);
+    let reach = Vec2::splat(1.5 * radius + 2.0);
+    let places = Quad::rectangle(centre - reach, centre + reach, (clip.z / clip.w * LIFT).min(1.0));
+    if !projection.may_show(&places) {
+        return;
     }
-
-    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, layer: usize) {
-        let Some(range) = self.layers.get(layer).filter(|range| !range.is_empty()) else { return };
-        if !self.marks.bind(pass) {
-            return;
-        }
-        for pipeline in [&self.hidden, &self.seen] {
-            pass.set_pipeline(pipeline);
-            QuadBuffer::draw(pass, range.clone());
-        }
-    }
+    let [one, other] = form.extents.map(|extent| extent * radius);
+    let quad = Quad {
+        kind: form.kind,
+        place: [centre, form.turn],
+        form: form.normals,
+        measures: [one, other, form.fold * radius, form.stroke * radius],
+        hidden: marker.hidden,
+        rim: RIM * point,
+        colors: [marker.color, marker.rim],
+    };
+    corners.extend(quad.at(places));
 }

@@ -1,63 +1,253 @@
-//! What lies on the screen before the panes, laid out with no device: for figures of vectors, whose texts stand where those of
-//! a picture stand.
+//! What is laid over the surfaces: lines, marks and texts, each a quad with the same few numbers, so that one shader draws them
+//! all. Surfaces hide it by the depths that they left, and not by the device's own test: what is seen faintly through them is
+//! drawn by the same pipeline.
 
-use glam::Vec2;
+use std::ops::Range;
 
-use super::glyphs::{Glyphs, Letter};
-use super::labels::Box2;
-use super::notes;
-use super::pane::PaneUniform;
-use super::renderer::point_size;
-use super::text::{self, lay_out_labels};
-use crate::frame::{Color, Frame, Line, Marker};
+use bytemuck::{Pod, Zeroable};
+use glam::{Vec2, Vec3, Vec4};
 
-/// A text in its place.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlacedText {
-    /// Its letters, from its upper left corner.
-    pub letters: Vec<Letter>,
-    /// That corner, in pixels of the pane.
-    pub corner: Vec2,
-    /// The colour, faded where the text makes room for another.
-    pub color: Color,
+use super::buffer::{FrameBuffer, QuadBuffer, stride};
+use super::part::Part;
+use super::pipeline::Recipe;
+use crate::frame::Color;
+
+/// `Quad` of shaders/overlay.wgsl, once for each corner.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+pub(super) struct QuadData {
+    pub(super) position: [f32; 3],
+    /// Ends of a line; centre of a mark and the direction of its first axis; corner of a glyph in the picture and in the atlas.
+    pub(super) place: [f32; 4],
+    /// Normals of a line's bisectors, the two straight measures of a mark.
+    pub(super) form: [f32; 4],
+    /// Of a line: length at both ends, period of its dashes, half width. Of a mark: its two extents, its fold, half its stroke.
+    pub(super) measures: [f32; 4],
+    /// Kind, factor on the opacity where it is hidden, width of a mark's rim.
+    pub(super) style: [f32; 3],
+    pub(super) color: [f32; 4],
+    pub(super) other_color: [f32; 4],
 }
 
-/// What lies before one pane.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Overlay {
-    /// The texts; no halo covers the ink of another.
-    pub texts: Vec<PlacedText>,
-    /// The lines of the legend, in pixels from the pane's upper left corner.
-    pub lines: Vec<Line>,
-    /// Its marks, in the same pixels.
-    pub markers: Vec<Marker>,
+/// `View` of shaders/overlay.wgsl.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+pub(super) struct ViewUniform {
+    pub(super) ndc_from_pixel: Vec4,
+    pub(super) corner: Vec4,
+    pub(super) strength: Vec4,
 }
 
-/// The halo behind the texts of a frame, from the inmost part on: how far it reaches beyond the ink (pixels), its colour with
-/// its opacity there, in a picture of this size.
-#[must_use]
-pub fn halo(frame: &Frame, size: [u32; 2]) -> [(f32, Color); 2] {
-    let reach = text::HALO * point_size(size) * frame.font_scale;
-    let color = |part: f32| frame.background.alpha(text::HALO_OPACITY * part);
-    [(text::INNER_HALO * reach, color(1.0)), (reach, color(text::OUTER_HALO))]
+/// What a quad is drawn as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub(super) enum Kind {
+    /// An unbroken line.
+    Solid,
+    /// A dashed one.
+    Dashed,
+    /// A dotted one.
+    Dotted,
+    /// A ball; all that follow are no lines.
+    Disc,
+    /// A mark of constant distance from its centre.
+    Round,
+    /// A mark measured by |x| and y.
+    Upright,
+    /// A mark measured by |x| and |y|.
+    Upset,
+    /// A mark measured by the larger and the smaller of |x| and |y|.
+    Fourfold,
+    /// A glyph.
+    Text,
 }
 
-/// What lies before each pane of a picture of this size.
-#[must_use]
-pub fn overlays(frame: &Frame, size: [u32; 2]) -> Vec<Overlay> {
-    let point = point_size(size) * frame.font_scale;
-    let picture = Vec2::new(size[0] as f32, size[1] as f32);
-    let mut glyphs = Glyphs::new();
-    let panes = frame.panes.iter().map(|pane| {
-        let pixels = pane.area.extent * picture;
-        let uniform = PaneUniform::new(pane, pixels.max(Vec2::ONE), point);
-        let notes = notes::lay_out(&pane.notes, &mut glyphs, pixels, point);
-        let taken: Vec<Box2> = notes.iter().map(|note| note.room).collect();
-        let (lines, markers) = notes::swatches(&notes, point);
-        let labels = lay_out_labels(&mut glyphs, pane, &uniform, &taken, pixels, point).into_iter();
-        let texts = labels.chain(notes.into_iter().map(|note| (note.line, note.low, note.color)));
-        let placed = texts.map(|(line, corner, color)| PlacedText { letters: line.letters, corner, color });
-        Overlay { texts: placed.collect(), lines, markers }
-    });
-    panes.collect()
+/// The names of the kinds in the shader, by their places in [`Kind`].
+const KINDS: [(Kind, &str); 9] = [
+    (Kind::Solid, "SOLID"),
+    (Kind::Dashed, "DASHED"),
+    (Kind::Dotted, "DOTTED"),
+    (Kind::Disc, "DISC"),
+    (Kind::Round, "ROUND"),
+    (Kind::Upright, "UPRIGHT"),
+    (Kind::Upset, "UPSET"),
+    (Kind::Fourfold, "FOURFOLD"),
+    (Kind::Text, "TEXT"),
+];
+
+/// The shader after the numbers of the kinds, which it names.
+pub(super) fn source() -> String {
+    let numbers = KINDS.iter().map(|(kind, name)| format!("const {name} = {}.0;\n", *kind as u8));
+    numbers.collect::<String>() + include_str!("../../shaders/overlay.wgsl")
+}
+
+/// All that one quad is, but for its corners.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Quad {
+    pub(super) kind: Kind,
+    pub(super) place: [Vec2; 2],
+    pub(super) form: [Vec2; 2],
+    pub(super) measures: [f32; 4],
+    /// Factor on the opacity where a surface hides it.
+    pub(super) hidden: f32,
+    pub(super) rim: f32,
+    pub(super) colors: [Color; 2],
+}
+
+impl Quad {
+    /// Its four corners, each with all that the quad is.
+    pub(super) fn at(&self, corners: [Vec3; 4]) -> [QuadData; 4] {
+        let pair = |[a, b]: [Vec2; 2]| [a.x, a.y, b.x, b.y];
+        let one = QuadData {
+            position: [0.0; 3],
+            place: pair(self.place),
+            form: pair(self.form),
+            measures: self.measures,
+            style: [f32::from(self.kind as u8), self.hidden, self.rim],
+            color: self.colors[0].0,
+            other_color: self.colors[1].0,
+        };
+        corners.map(|position| QuadData { position: position.to_array(), ..one })
+    }
+
+    /// The corners of a rectangle of the picture at a depth.
+    pub(super) fn rectangle(low: Vec2, high: Vec2, depth: f32) -> [Vec3; 4] {
+        [low, Vec2::new(high.x, low.y), Vec2::new(low.x, high.y), high].map(|corner| corner.extend(depth))
+    }
+}
+
+/// What of the quads is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shown {
+    /// What a surface is before, at its own fainter strength.
+    Hidden,
+    /// What no surface is before.
+    Seen,
+    /// What no surface is before as yet, at the strength of what is hidden: a wall is still to come before it.
+    Inside,
+}
+
+const ALL_SHOWN: [Shown; 3] = [Shown::Hidden, Shown::Seen, Shown::Inside];
+
+/// Draws the quads of a frame.
+pub(super) struct Overlays {
+    pipeline: wgpu::RenderPipeline,
+    layout: wgpu::BindGroupLayout,
+    views: FrameBuffer,
+    stride: usize,
+    group: Option<wgpu::BindGroup>,
+    quads: QuadBuffer,
+}
+
+impl Overlays {
+    pub(super) fn new(device: &wgpu::Device) -> Self {
+        let entry = |binding, visibility, ty| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
+        let texture = wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Float { filterable: false },
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        };
+        let uniform = wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: true,
+            min_binding_size: std::num::NonZeroU64::new(size_of::<ViewUniform>() as u64),
+        };
+        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("overlay"),
+            entries: &[
+                entry(0, wgpu::ShaderStages::VERTEX_FRAGMENT, uniform),
+                entry(1, wgpu::ShaderStages::FRAGMENT, texture),
+                entry(2, wgpu::ShaderStages::FRAGMENT, texture),
+            ],
+        });
+        let attributes = wgpu::vertex_attr_array![
+            0 => Float32x3, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x3, 5 => Float32x4, 6 => Float32x4
+        ];
+        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("overlay"),
+            source: wgpu::ShaderSource::Wgsl(source().into()),
+        });
+        let pipeline = Recipe {
+            buffer: Some(wgpu::VertexBufferLayout {
+                array_stride: size_of::<QuadData>() as u64,
+                step_mode: wgpu::VertexStepMode::Vertex,
+                attributes: &attributes,
+            }),
+            groups: &[&layout],
+            ..Recipe::new("overlay", &module)
+        }
+        .pipeline(device);
+        Self {
+            pipeline,
+            layout,
+            views: FrameBuffer::new("overlay view", wgpu::BufferUsages::UNIFORM),
+            stride: stride(device, size_of::<ViewUniform>()),
+            group: None,
+            quads: QuadBuffer::new("overlay quads"),
+        }
+    }
+
+    /// Takes the corners of all quads, those of each quad one after the other.
+    pub(super) fn upload(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, corners: &[QuadData]) {
+        self.quads.write(device, queue, corners);
+    }
+
+    /// Turns to a part of a picture, with the depths that its surfaces left there.
+    pub(super) fn turn_to(
+        &mut self,
+        (device, queue): (&wgpu::Device, &wgpu::Queue),
+        part: Part,
+        depths: &wgpu::TextureView,
+        atlas: &wgpu::TextureView,
+        is_new: bool,
+    ) {
+        let (corner, size) = (part.corner(), part.extent());
+        let scale = Vec2::new(2.0, -2.0) / size;
+        let offset = Vec2::new(-1.0, 1.0) - corner * scale;
+        let mut bytes = vec![0; self.stride * ALL_SHOWN.len()];
+        for (slot, shown) in bytes.chunks_exact_mut(self.stride).zip(ALL_SHOWN) {
+            let view = ViewUniform {
+                ndc_from_pixel: Vec4::new(scale.x, scale.y, offset.x, offset.y),
+                corner: Vec4::new(corner.x, corner.y, 0.0, 0.0),
+                strength: match shown {
+                    Shown::Hidden => Vec4::X,
+                    Shown::Seen => Vec4::Y,
+                    Shown::Inside => Vec4::Z,
+                },
+            };
+            slot[..size_of::<ViewUniform>()].copy_from_slice(bytemuck::bytes_of(&view));
+        }
+        let replaced = self.views.write(device, queue, &bytes);
+        let Some(buffer) = self.views.get().filter(|_| replaced || is_new || self.group.is_none()) else { return };
+        let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
+        let views =
+            wgpu::BufferBinding { buffer, offset: 0, size: std::num::NonZeroU64::new(size_of::<ViewUniform>() as u64) };
+        self.group = Some(device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("overlay"),
+            layout: &self.layout,
+            entries: &[
+                entry(0, wgpu::BindingResource::Buffer(views)),
+                entry(1, wgpu::BindingResource::TextureView(depths)),
+                entry(2, wgpu::BindingResource::TextureView(atlas)),
+            ],
+        }));
+    }
+
+    /// Makes ready for draws in this pass; false where there is nothing to draw.
+    pub(super) fn begin(&self, pass: &mut wgpu::RenderPass<'_>) -> bool {
+        if !self.quads.bind(pass) {
+            return false;
+        }
+        pass.set_pipeline(&self.pipeline);
+        true
+    }
+
+    /// Draws the quads of these numbers.
+    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, quads: &Range<u32>, shown: Shown) {
+        if quads.is_empty() {
+            return;
+        }
+        pass.set_bind_group(0, self.group.as_ref(), &[(self.stride * shown as usize) as u32]);
+        QuadBuffer::draw(pass, quads.clone());
+    }
 }

@@ -63,3 +63,38 @@ impl PaneUniform {
         }
     }
 }
+
+/// Takes places of a pane's world to pixels of the picture.
+pub(super) struct Projection<'a> {
+    uniform: &'a PaneUniform,
+    /// The pane's corner in the picture (pixels).
+    corner: Vec2,
+}
+
+impl<'a> Projection<'a> {
+    /// Of the pane at this corner of the picture (pixels).
+    pub(super) fn new(uniform: &'a PaneUniform, corner: Vec2) -> Self {
+        Self { uniform, corner }
+    }
+
+    /// A place in clip space.
+    pub(super) fn clip(&self, at: Vec3) -> Vec4 {
+        self.uniform.clip_from_world * at.extend(1.0)
+    }
+
+    /// A place in clip space as a pixel of the picture.
+    pub(super) fn pixel(&self, clip: Vec4) -> Vec2 {
+        self.corner + (0.5 + Vec2::new(0.5, -0.5) * (clip.truncate().truncate() / clip.w)) * self.size()
+    }
+
+    /// Whether something between these places of the picture may be seen in the pane.
+    pub(super) fn may_show(&self, places: &[Vec3; 4]) -> bool {
+        let [a, b, c, d] = places.map(Vec3::truncate);
+        let (low, high) = (a.min(b).min(c.min(d)), a.max(b).max(c.max(d)));
+        low.cmplt(self.corner + self.size()).all() && high.cmpgt(self.corner).all()
+    }
+
+    fn size(&self) -> Vec2 {
+        Vec2::new(self.uniform.metrics.x, self.uniform.metrics.y)
+    }
+}

@@ -7,7 +7,7 @@ use glam::{Mat4, Vec2, Vec3, Vec4};
 
 use super::buffer::{FrameBuffer, UniformBuffer};
 use super::pane::PaneUniform;
-use super::pipeline::{PipelineMaker, Recipe};
+use super::pipeline::{Lazy, PipelineMaker, Recipe};
 use crate::frame::{Frame, Quadric, QuadricPair, Walls};
 
 /// `Pair` of shaders/quadrics.wgsl.
@@ -28,10 +28,11 @@ pub(super) struct QuadricData {
 
 /// Draws the quadrics of a frame.
 pub(super) struct Quadrics {
+    module: Option<wgpu::ShaderModule>,
     /// Near walls, or all: they hide the lines behind them.
-    hiding: wgpu::RenderPipeline,
+    hiding: Lazy,
     /// Far walls behind something opaque that is still to show through.
-    far_walls: wgpu::RenderPipeline,
+    far_walls: Lazy,
     uniforms: UniformBuffer,
     corners: FrameBuffer,
     panes: Vec<Vec<Draw>>,
@@ -47,29 +48,12 @@ struct Draw {
 }
 
 impl Quadrics {
-    pub(super) fn new(maker: &PipelineMaker<'_>) -> Self {
-        let module = maker.module("quadrics", include_str!("../../shaders/quadrics.wgsl"));
-        let uniforms = UniformBuffer::new(maker.device, "quadric pair", size_of::<PairUniform>());
-        let pipeline = |label, writes_depth| {
-            maker.pipeline(&Recipe {
-                label,
-                module: &module,
-                vertex: "vertex",
-                buffer: Some(wgpu::VertexBufferLayout {
-                    array_stride: size_of::<Vec2>() as u64,
-                    step_mode: wgpu::VertexStepMode::Vertex,
-                    attributes: &wgpu::vertex_attr_array![0 => Float32x2],
-                }),
-                group: Some(uniforms.layout()),
-                cull: None,
-                depth: wgpu::CompareFunction::GreaterEqual,
-                writes_depth,
-            })
-        };
+    pub(super) fn new(device: &wgpu::Device) -> Self {
         Self {
-            hiding: pipeline("quadrics", true),
-            far_walls: pipeline("far walls of quadrics", false),
-            uniforms,
+            module: None,
+            hiding: Lazy::default(),
+            far_walls: Lazy::default(),
+            uniforms: UniformBuffer::new(device, "quadric pair", size_of::<PairUniform>()),
             corners: FrameBuffer::new("quadric corners", wgpu::BufferUsages::VERTEX),
             panes: vec![],
         }
@@ -77,7 +61,7 @@ impl Quadrics {
 
     pub(super) fn upload(
         &mut self,
-        device: &wgpu::Device,
+        maker: &PipelineMaker<'_>,
         queue: &wgpu::Queue,
         frame: &Frame,
         pane_uniforms: &[PaneUniform],
@@ -104,14 +88,42 @@ impl Quadrics {
             self.panes.push(draws);
         }
         if !pairs.is_empty() {
-            self.uniforms.write(device, queue, &pairs);
-            self.corners.write(device, queue, bytemuck::cast_slice(&corners));
+            self.uniforms.write(maker.device, queue, &pairs);
+            self.corners.write(maker.device, queue, bytemuck::cast_slice(&corners));
+            self.make(maker);
         }
     }
 
-    /// Draws the far walls of the hollow ones; false where there are none.
-    pub(super) fn draw_far_walls(&self, pass: &mut wgpu::RenderPass<'_>, pane: usize) -> bool {
-        self.draw(pass, pane, true)
+    fn make(&mut self, maker: &PipelineMaker<'_>) {
+        let source = include_str!("../../shaders/quadrics.wgsl");
+        let module: &wgpu::ShaderModule = self.module.get_or_insert_with(|| maker.module("quadrics", source));
+        let groups = [maker.pane_layout, self.uniforms.layout()];
+        let pipeline = |label, writes_depth| {
+            Recipe {
+                buffer: Some(wgpu::VertexBufferLayout {
+                    array_stride: size_of::<Vec2>() as u64,
+                    step_mode: wgpu::VertexStepMode::Vertex,
+                    attributes: &wgpu::vertex_attr_array![0 => Float32x2],
+                }),
+                groups: &groups,
+                depth: Some((wgpu::CompareFunction::GreaterEqual, writes_depth)),
+                ..Recipe::new(label, module)
+            }
+            .pipeline(maker.device)
+        };
+        self.hiding.want(true, || pipeline("quadrics", true));
+        let is_hollow = self.panes.iter().flatten().any(|draw| draw.far_only);
+        self.far_walls.want(is_hollow, || pipeline("far walls of quadrics", false));
+    }
+
+    /// Whether a pane has hollow ones, whose far walls are drawn by themselves.
+    pub(super) fn are_hollow(&self, pane: usize) -> bool {
+        self.panes.get(pane).is_some_and(|draws| draws.iter().any(|draw| draw.far_only))
+    }
+
+    /// Draws the far walls of the hollow ones of a pane.
+    pub(super) fn draw_far_walls(&self, pass: &mut wgpu::RenderPass<'_>, pane: usize) {
+        self.draw(pass, pane, true);
     }
 
     /// Draws all the rest.
@@ -119,17 +131,16 @@ impl Quadrics {
         self.draw(pass, pane, false);
     }
 
-    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pane: usize, far_only: bool) -> bool {
-        let (Some(corners), Some(draws)) = (self.corners.get(), self.panes.get(pane)) else { return false };
-        let mut any = false;
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pane: usize, far_only: bool) {
+        let (Some(corners), Some(draws)) = (self.corners.get(), self.panes.get(pane)) else { return };
         for draw in draws.iter().filter(|draw| draw.far_only == far_only) {
-            any = true;
-            pass.set_pipeline(if draw.far_only { &self.far_walls } else { &self.hiding });
-            pass.set_vertex_buffer(0, corners.slice(..));
-            self.uniforms.bind(pass, 1, draw.number);
-            pass.draw(draw.corners.clone(), 0..1);
+            let pipeline = if draw.far_only { &self.far_walls } else { &self.hiding };
+            if pipeline.set(pass) {
+                pass.set_vertex_buffer(0, corners.slice(..));
+                self.uniforms.bind(pass, 1, draw.number);
+                pass.draw(draw.corners.clone(), 0..1);
+            }
         }
-        any
     }
 }
 
@@ -145,7 +156,7 @@ fn pair_uniform(pair: &QuadricPair, [near, far]: [f32; 2]) -> PairUniform {
 
 /// Triangles of the screen that hold both quadrics and little else: the convex hull of the corners of polyhedra
 /// round them. The whole screen where one reaches behind the eye.
-pub(super) fn covering_triangles(pair: &QuadricPair, clip_from_world: Mat4) -> Vec<Vec2> {
+fn covering_triangles(pair: &QuadricPair, clip_from_world: Mat4) -> Vec<Vec2> {
     let mut points = vec![];
     for quadric in [Some(pair.first), pair.second].into_iter().flatten() {
         let clip_from_unit = clip_from_world * quadric.unit_from_world.inverse();

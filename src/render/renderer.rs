@@ -1,20 +1,22 @@
 //! Draws a frame into a texture.
 
+use std::ops::Range;
+
 use glam::Vec2;
 
 use super::buffer::UniformBuffer;
 use super::gpu::Gpu;
-use super::line::Lines;
-use super::marker::Markers;
 use super::mesh::Meshes;
 use super::notes;
-use super::pane::PaneUniform;
+use super::overlay::{Overlays, Shown};
+use super::pane::{PaneUniform, Projection};
+use super::part::Part;
 use super::pipeline::PipelineMaker;
 use super::quadrics::Quadrics;
-use super::resolve::Resolve;
-use super::targets::Targets;
+use super::solids::Solids;
+use super::targets::{DEPTH_FORMAT, color_attachment, depth_attachment, target as texture_target};
 use super::text::Texts;
-use super::touched::Touched;
+use super::{line, marker};
 use crate::frame::Frame;
 
 /// Pixels a point in a picture of this size, so that it looks the same at each size of one aspect: 1 at 1280×720 and
@@ -29,120 +31,258 @@ pub(super) struct Renderer {
     panes: UniformBuffer,
     meshes: Meshes,
     quadrics: Quadrics,
-    lines: Lines,
-    markers: Markers,
+    overlays: Overlays,
     texts: Texts,
-    /// Where the device's own way is not taken.
-    resolve: Option<Resolve>,
-    targets: Option<Targets>,
+    solids: Solids,
+    depths: Option<Depths>,
+    /// What the frame last prepared comes to.
+    prepared: Prepared,
+}
+
+/// How near the surfaces of a picture, or of a part of it, are.
+struct Depths {
+    size: [u32; 2],
+    view: wgpu::TextureView,
+}
+
+/// A frame whose data are on the device.
+#[derive(Default)]
+struct Prepared {
+    clear: wgpu::Color,
+    panes: Vec<PreparedPane>,
+    /// The bind group of the overlays is another one from now on.
+    is_atlas_new: bool,
+}
+
+/// A pane of it.
+struct PreparedPane {
+    /// Its upper left corner and its width and height (pixels of the picture).
+    corner: Vec2,
+    extent: Vec2,
+    /// The quads of its lines, of its marks, and of all that lies on the screen before it.
+    lines: Range<u32>,
+    marks: Range<u32>,
+    flat: Range<u32>,
 }
 
 impl Renderer {
-    /// Makes the pipelines.
     #[must_use]
     pub(super) fn new(gpu: &Gpu) -> Self {
         let panes = UniformBuffer::new(&gpu.device, "pane", size_of::<PaneUniform>());
-        let maker = PipelineMaker { device: &gpu.device, pane_layout: panes.layout() };
-        let meshes = Meshes::new(&maker);
-        let quadrics = Quadrics::new(&maker);
-        let lines = Lines::new(&maker);
-        let markers = Markers::new(&maker);
-        let texts = Texts::new(&maker);
-        let resolve = gpu.is_software_vulkan().then(|| Resolve::new(&gpu.device));
-        Self { panes, meshes, quadrics, lines, markers, texts, resolve, targets: None }
+        Self {
+            panes,
+            overlays: Overlays::new(&gpu.device),
+            meshes: Meshes::new(),
+            quadrics: Quadrics::new(&gpu.device),
+            texts: Texts::new(),
+            solids: Solids::new(gpu),
+            depths: None,
+            prepared: Prepared::default(),
+        }
     }
 
     /// Draws the frame into `target`, a view of a [`FORMAT`](super::FORMAT) texture of this size, with `point` pixels a point
     /// (for a file [`point_size`]). Submits the work and does not wait for it.
     pub(super) fn render(&mut self, gpu: &Gpu, frame: &Frame, target: &wgpu::TextureView, size: [u32; 2], point: f32) {
+        self.prepare(gpu, frame, size, point);
+        self.draw(gpu, target, Part { low: [0; 2], size });
+    }
+
+    /// Takes what a frame holds to the device, for a picture of this size.
+    pub(super) fn prepare(&mut self, gpu: &Gpu, frame: &Frame, size: [u32; 2], point: f32) {
         let (device, queue) = (&gpu.device, &gpu.queue);
         let point = point * frame.font_scale;
         let picture = Vec2::new(size[0] as f32, size[1] as f32);
-        let uniforms: Vec<PaneUniform> = frame
-            .panes
-            .iter()
-            .map(|pane| PaneUniform::new(pane, (pane.area.extent * picture).max(Vec2::ONE), point))
-            .collect();
-        // Of each pane two layers: its world, and what lies on the screen before it.
+        let extents: Vec<Vec2> = frame.panes.iter().map(|pane| (pane.area.extent * picture).max(Vec2::ONE)).collect();
+        let uniforms: Vec<PaneUniform> =
+            frame.panes.iter().zip(&extents).map(|(pane, extent)| PaneUniform::new(pane, *extent, point)).collect();
+        self.panes.write(device, queue, &uniforms);
+        let maker = PipelineMaker { device, pane_layout: self.panes.layout() };
+        self.meshes.upload(&maker, queue, frame, &uniforms, !self.solids.reads_samples);
+        self.quadrics.upload(&maker, queue, frame, &uniforms);
+
         let notes = self.texts.lay_out_notes(frame, picture, point);
-        let flat: Vec<_> = notes.iter().map(|notes| notes::swatches(notes, point)).collect();
-        let layers = frame.panes.iter().zip(&uniforms);
-        let layers = layers
-            .flat_map(|(pane, world)| [*world, PaneUniform::flat((pane.area.extent * picture).max(Vec2::ONE), point)]);
-        self.panes.write(device, queue, &layers.collect::<Vec<_>>());
-        self.meshes.upload(device, queue, frame);
-        self.quadrics.upload(device, queue, frame, &uniforms);
-        let layers = || frame.panes.iter().zip(&flat);
-        let lines = layers().flat_map(|(pane, (lines, _))| [(&*pane.lines, pane.lift), (&**lines, 0.0)]);
-        self.lines.upload(device, queue, lines);
-        self.markers.upload(device, queue, layers().flat_map(|(pane, (_, markers))| [&*pane.markers, &**markers]));
-        self.texts.upload((device, queue), frame, &notes, &uniforms, picture, point);
-
-        if let Some(resolve) = &mut self.resolve {
-            let mut touched = Touched::none(picture);
-            touched.add_frame(frame, &uniforms, picture, point);
-            for [low, high] in self.texts.boxes() {
-                touched.add(*low, *high);
+        let mut corners = vec![];
+        let mut panes = vec![];
+        for (((pane, uniform), notes), extent) in frame.panes.iter().zip(&uniforms).zip(&notes).zip(&extents) {
+            let corner = pane.area.corner * picture;
+            let mut begun = 0;
+            let mut quads = |corners: &Vec<_>| {
+                let end = (corners.len() / 4) as u32;
+                std::mem::replace(&mut begun, end)..end
+            };
+            quads(&corners);
+            let world = Projection::new(uniform, corner);
+            for line in &pane.lines {
+                line::append(line, pane.lift, &world, point, &mut corners);
             }
-            resolve.upload(device, queue, &touched.rectangles(), picture);
-        }
-
-        let targets = match self.targets.take() {
-            Some(targets) if targets.size == size => targets,
-            _ => Targets::new(device, size, self.resolve.is_some()),
-        };
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        {
-            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: Some("frame"),
-                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                    view: &targets.color,
-                    depth_slice: None,
-                    resolve_target: self.resolve.is_none().then_some(target),
-                    ops: wgpu::Operations {
-                        load: wgpu::LoadOp::Clear(clear_color(frame)),
-                        store: if self.resolve.is_some() { wgpu::StoreOp::Store } else { wgpu::StoreOp::Discard },
-                    },
-                })],
-                depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                    view: &targets.depth,
-                    depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Discard }),
-                    stencil_ops: None,
-                }),
-                timestamp_writes: None,
-                occlusion_query_set: None,
-                multiview_mask: None,
-            });
-            for (number, pane) in frame.panes.iter().enumerate() {
-                let corner = pane.area.corner * picture;
-                let extent = (pane.area.extent * picture).max(Vec2::ONE);
-                pass.set_viewport(corner.x, corner.y, extent.x, extent.y, 0.0, 1.0);
-                let (world, flat) = (2 * number, 2 * number + 1);
-                self.panes.bind(&mut pass, 0, world);
-                self.meshes.draw(&mut pass, number);
-                let hollow = self.quadrics.draw_far_walls(&mut pass, number);
-                if hollow {
-                    self.lines.draw_inside(&mut pass, world);
-                }
-                self.quadrics.draw_near_walls(&mut pass, number);
-                if hollow {
-                    self.lines.draw_seen(&mut pass, world);
-                } else {
-                    self.lines.draw_all(&mut pass, world);
-                }
-                self.markers.draw(&mut pass, world);
-                self.panes.bind(&mut pass, 0, flat);
-                self.lines.draw_seen(&mut pass, flat);
-                self.markers.draw(&mut pass, flat);
-                self.texts.draw(&mut pass, number);
+            let lines = quads(&corners);
+            for marker in &pane.markers {
+                marker::append(marker, &world, point, &mut corners);
             }
+            let marks = quads(&corners);
+            let screen = PaneUniform::flat(*extent, point);
+            let screen = Projection::new(&screen, corner);
+            let (swatch_lines, swatch_marks) = notes::swatches(notes, point);
+            for line in &swatch_lines {
+                line::append(line, 0.0, &screen, point, &mut corners);
+            }
+            for marker in &swatch_marks {
+                marker::append(marker, &screen, point, &mut corners);
+            }
+            self.texts.append((pane, uniform, corner), notes, (frame.background, point), &mut corners);
+            let flat = quads(&corners);
+            panes.push(PreparedPane { corner, extent: *extent, lines, marks, flat });
         }
-        if let Some(resolve) = &self.resolve {
-            resolve.draw(device, &mut encoder, &targets.color, target, clear_color(frame));
-        }
-        queue.submit([encoder.finish()]);
-        self.targets = Some(targets);
+        self.overlays.upload(device, queue, &corners);
+        let is_atlas_new = self.texts.upload(device, queue) || self.prepared.is_atlas_new;
+        self.prepared = Prepared { clear: clear_color(frame), panes, is_atlas_new };
     }
+
+    /// Draws a part of the frame that was prepared into `target`, of the part's size. Submits the work and does not wait for it.
+    pub(super) fn draw(&mut self, gpu: &Gpu, target: &wgpu::TextureView, part: Part) {
+        let (device, queue) = (&gpu.device, &gpu.queue);
+        let prepared = &mut self.prepared;
+        let rooms = prepared.panes.iter().enumerate().filter_map(|(number, pane)| {
+            let [low, high] = self.meshes.bounds(number)?.map(|at| at + pane.corner);
+            let room = part.within((low - 1.0).max(pane.corner), (high + 1.0).min(pane.corner + pane.extent));
+            Some((number, room))
+        });
+        self.solids.make_room(gpu, part, rooms);
+        let mut are_new = std::mem::take(&mut prepared.is_atlas_new);
+        let depths = match self.depths.take() {
+            Some(depths) if depths.size == part.size => depths,
+            _ => {
+                are_new = true;
+                let view = texture_target(device, "depths", part.size, DEPTH_FORMAT, 1, true);
+                Depths { size: part.size, view }
+            }
+        };
+        if let Some(atlas) = self.texts.atlas() {
+            self.overlays.turn_to((device, queue), part, &depths.view, atlas, are_new);
+        }
+
+        let prepared = &self.prepared;
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        if let Some(mut pass) = self.solids.begin(&mut encoder) {
+            for room in self.solids.rooms() {
+                let Some(pane) = prepared.panes.get(room.pane) else { continue };
+                let corner = pane.corner - room.part.corner() + Vec2::X * room.left as f32;
+                pass.set_viewport(corner.x, corner.y, pane.extent.x, pane.extent.y, 0.0, 1.0);
+                pass.set_scissor_rect(room.left, 0, room.part.size[0], room.part.size[1]);
+                self.panes.bind(&mut pass, 0, room.pane);
+                self.meshes.draw_solids(&mut pass, room.pane);
+            }
+        }
+        let is_hollow = |pane: usize| self.quadrics.are_hollow(pane);
+        let any_hollow = (0..prepared.panes.len()).any(is_hollow);
+        {
+            let mut pass = surfaces_pass(&mut encoder, target, &depths.view, Some(prepared.clear));
+            self.solids.draw(&mut pass);
+            self.each_pane(&mut pass, part, |pass, pane| {
+                self.meshes.draw_depths(pass, pane);
+                self.meshes.draw_flat(pass, pane);
+                self.quadrics.draw_far_walls(pass, pane);
+                if !any_hollow {
+                    self.quadrics.draw_near_walls(pass, pane);
+                }
+            });
+        }
+        if any_hollow {
+            // Between the walls: what of the lines shows through the near ones, and not through a body.
+            self.draw_overlays(&mut encoder, target, part, |pass, number, pane| {
+                if is_hollow(number) {
+                    self.overlays.draw(pass, &pane.lines, Shown::Inside);
+                }
+            });
+            let mut pass = surfaces_pass(&mut encoder, target, &depths.view, None);
+            self.each_pane(&mut pass, part, |pass, pane| self.quadrics.draw_near_walls(pass, pane));
+        }
+        self.draw_overlays(&mut encoder, target, part, |pass, number, pane| {
+            if !is_hollow(number) {
+                self.overlays.draw(pass, &pane.lines, Shown::Hidden);
+            }
+            self.overlays.draw(pass, &pane.lines, Shown::Seen);
+            self.overlays.draw(pass, &pane.marks, Shown::Hidden);
+            self.overlays.draw(pass, &pane.marks, Shown::Seen);
+            self.overlays.draw(pass, &pane.flat, Shown::Seen);
+        });
+        queue.submit([encoder.finish()]);
+        self.depths = Some(depths);
+    }
+
+    /// Draws something in each pane of which this part shows anything, as its own camera sees it.
+    fn each_pane(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        part: Part,
+        mut draw: impl FnMut(&mut wgpu::RenderPass<'_>, usize),
+    ) {
+        for (number, pane) in self.prepared.panes.iter().enumerate() {
+            if let Some(scissor) = pane.scissor(part) {
+                let corner = pane.corner - part.corner();
+                pass.set_viewport(corner.x, corner.y, pane.extent.x, pane.extent.y, 0.0, 1.0);
+                let ([x, y], [width, height]) = scissor;
+                pass.set_scissor_rect(x, y, width, height);
+                self.panes.bind(pass, 0, number);
+                draw(pass, number);
+            }
+        }
+    }
+
+    /// Draws overlays in each pane of which this part shows anything.
+    fn draw_overlays(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        target: &wgpu::TextureView,
+        part: Part,
+        draw: impl Fn(&mut wgpu::RenderPass<'_>, usize, &PreparedPane),
+    ) {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("overlays"),
+            color_attachments: &[Some(color_attachment(target, None, wgpu::LoadOp::Load, wgpu::StoreOp::Store))],
+            depth_stencil_attachment: None,
+            timestamp_writes: None,
+            occlusion_query_set: None,
+            multiview_mask: None,
+        });
+        if !self.overlays.begin(&mut pass) {
+            return;
+        }
+        for (number, pane) in self.prepared.panes.iter().enumerate() {
+            if let Some(([x, y], [width, height])) = pane.scissor(part) {
+                pass.set_scissor_rect(x, y, width, height);
+                draw(&mut pass, number, pane);
+            }
+        }
+    }
+}
+
+impl PreparedPane {
+    /// What a part shows of it, from the part's corner: corner and size; none where that is nothing.
+    fn scissor(&self, part: Part) -> Option<([u32; 2], [u32; 2])> {
+        let shown = part.within(self.corner, self.corner + self.extent);
+        let corner = [shown.low[0] - part.low[0], shown.low[1] - part.low[1]];
+        (!shown.is_empty()).then_some((corner, shown.size))
+    }
+}
+
+/// Begins a pass that surfaces are drawn in, onto this colour or onto what is there.
+fn surfaces_pass<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    target: &wgpu::TextureView,
+    depths: &wgpu::TextureView,
+    clear: Option<wgpu::Color>,
+) -> wgpu::RenderPass<'a> {
+    let load = clear.map_or(wgpu::LoadOp::Load, wgpu::LoadOp::Clear);
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("surfaces"),
+        color_attachments: &[Some(color_attachment(target, None, load, wgpu::StoreOp::Store))],
+        depth_stencil_attachment: Some(depth_attachment(depths, clear.is_some(), wgpu::StoreOp::Store)),
+        timestamp_writes: None,
+        occlusion_query_set: None,
+        multiview_mask: None,
+    })
 }
 
 fn clear_color(frame: &Frame) -> wgpu::Color {

@@ -3,9 +3,12 @@
 use glam::{DMat3, DQuat, DVec3};
 
 use super::value::shortened;
-use super::{CameraFile, Part, PartKind, SceneFile, SpinFile, StepFile, View, ViewFile, nearest, parts};
+use super::{CameraFile, Cloud, Part, PartKind, SceneFile, SpinFile, StepFile, View, ViewFile, nearest, parts};
 use crate::physics::{
-    self, Body, BodyError, METHODS, Method, State, methods::DEFAULT_METHOD, number, so3, solids::SolidError,
+    self, Body, BodyError, METHODS, Method, State,
+    methods::{DEFAULT_METHOD, LOSS_METHOD},
+    number, so3,
+    solids::SolidError,
 };
 
 /// Step (s) of a scene that names none.
@@ -45,6 +48,10 @@ pub struct Scene {
     pub compare: Vec<&'static Method>,
     /// Step (s).
     pub step: f64,
+    /// Energy lost inside the body at constant L: `c = loss/ℓ` in `Ω_eff = Ω + c M×Ω`; 0 for none.
+    pub energy_loss: f64,
+    /// Starts close together.
+    pub cloud: Cloud,
     /// How it is looked at.
     pub view: View,
     /// The step of its telling at which it stands, counted from 0; none where it is shown as a whole.
@@ -120,6 +127,14 @@ pub enum SceneError {
         /// The nearest known name, or where to find them.
         hint: String,
     },
+    /// A method that knows no energy loss, where some is lost.
+    #[error("method `{method}` does not know the energy loss of {}: only `{LOSS_METHOD}` does, so leave the method out, or set energy_loss to 0", number(*.loss))]
+    KnowsNoLoss {
+        /// The method.
+        method: &'static str,
+        /// The loss.
+        loss: f64,
+    },
     /// Momentum or energy past the range of f64.
     #[error("angular velocity {} rad/s with this body is beyond the range of numbers: take a smaller one", number(*.0))]
     TooFast(f64),
@@ -156,13 +171,19 @@ impl Scene {
         check_view(&file.view)?;
         let (body, parts) = check_body(file)?;
         let start = check_start(file, &body)?;
-        let method = named_method(file.motion.method.as_deref().unwrap_or(DEFAULT_METHOD))?;
+        let energy_loss = not_negative("energy_loss", file.motion.energy_loss.unwrap_or(0.0))?;
+        let usual = if energy_loss > 0.0 { LOSS_METHOD } else { DEFAULT_METHOD };
+        let method = named_method(file.motion.method.as_deref().unwrap_or(usual))?;
         let mut compare = file.motion.compare.iter().map(|name| named_method(name)).collect::<Result<Vec<_>, _>>()?;
         // What is the body's own method is no ghost beside it.
         compare.retain(|other| other.name != method.name);
+        let knows_none = |method: &&&'static Method| energy_loss > 0.0 && method.name != LOSS_METHOD;
+        if let Some(other) = std::iter::once(&method).chain(&compare).find(knows_none) {
+            return Err(SceneError::KnowsNoLoss { method: other.name, loss: energy_loss });
+        }
         let step = positive("step", file.motion.step.unwrap_or(DEFAULT_STEP))?;
-        let view = check_view(&file.view_at(at))?;
-        Ok(Self { file: file.clone(), body, parts, start, method, compare, step, view, at })
+        let (cloud, view) = (Cloud::check(file)?, check_view(&file.view_at(at))?);
+        Ok(Self { file: file.clone(), body, parts, start, method, compare, step, energy_loss, cloud, view, at })
     }
 
     /// What is unusual about a scene that can all the same be run: a sentence each.
@@ -335,6 +356,14 @@ fn positive(name: &'static str, value: f64) -> Result<f64, SceneError> {
     }
 }
 
+fn not_negative(name: &'static str, value: f64) -> Result<f64, SceneError> {
+    if value.is_finite() && value >= 0.0 {
+        Ok(value)
+    } else {
+        Err(SceneError::OutOfRange { name, value, wanted: "finite and not negative" })
+    }
+}
+
 fn named_method(name: &str) -> Result<&'static Method, SceneError> {
     physics::method(name).ok_or_else(|| SceneError::UnknownName {
         kind: "method",
@@ -438,6 +467,37 @@ mod tests {
         assert_eq!((scene.method.name, scene.step), ("buss", 0.5));
         assert_eq!(scene.compare.iter().map(|method| method.name).collect::<Vec<_>>(), ["rk4", "lie-euler"]);
         assert_eq!(scene.file.motion.compare.len(), 3);
+        Ok(())
+    }
+
+    #[test]
+    fn losses_that_cannot_be_are_refused() {
+        for (text, sentence) in [
+            ("motion.energy_loss = -0.1", "energy_loss -0.1 is not valid: it must be finite and not negative"),
+            ("motion.energy_loss = inf", "energy_loss inf is not valid: it must be finite and not negative"),
+            (
+                "motion = { energy_loss = 0.02, method = 'closed-form' }",
+                "method `closed-form` does not know the energy loss of 0.02: only `magnus4` does, so leave the method out, or set energy_loss to 0",
+            ),
+            (
+                "motion = { energy_loss = 0.02, compare = ['magnus4', 'rk4'] }",
+                "method `rk4` does not know the energy loss of 0.02: only `magnus4` does, so leave the method out, or set energy_loss to 0",
+            ),
+        ] {
+            let said = check(text).map_or_else(|error| error.to_string(), |_| "no refusal".to_owned());
+            assert_eq!(said, sentence, "{text}");
+        }
+    }
+
+    #[test]
+    fn where_energy_is_lost_the_method_that_knows_it_follows() -> Result<(), SceneError> {
+        let scene = check("motion.energy_loss = 0.02")?;
+        assert_eq!((scene.method.name, scene.energy_loss), ("magnus4", 0.02));
+        let scene = check("motion = { energy_loss = 0.5, compare = ['magnus4'] }")?;
+        assert_eq!((scene.method.name, scene.compare.len()), ("magnus4", 0));
+        for none in ["motion = { energy_loss = 0, method = 'buss', compare = ['rk4'] }", "motion.method = 'magnus4'"] {
+            assert_eq!(check(none)?.energy_loss, 0.0);
+        }
         Ok(())
     }
 

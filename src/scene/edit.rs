@@ -319,7 +319,7 @@ mod tests {
             (&["--set", "spin.rate"][..], "`spin.rate` has no value: KEY=VALUE is wanted, as in spin.rate=6"),
             (
                 &["--set", "=3"],
-                "unknown key ``; known here are title, text, question, answer, order, body, spin, motion, view, step",
+                "unknown key ``; known here are title, text, question, answer, order, body, spin, motion, cloud, view, step",
             ),
             (&["--set", "spin.rat=3"], "unknown key `spin.rat`; the nearest known key is `spin.rate`"),
             (&["--set", "spin.rat="], "unknown key `spin.rat`; the nearest known key is `spin.rate`"),

@@ -23,6 +23,8 @@ pub enum Kind {
     Choice(&'static [&'static str]),
     /// Any number of names.
     Names,
+    /// Principal axes.
+    Axes,
     /// Solids, each a table.
     Solids,
     /// Steps, each a table.
@@ -45,6 +47,7 @@ impl Kind {
                 _ => names.concat(),
             },
             Self::Names => "an array of names in quotes".to_owned(),
+            Self::Axes => "an array of axes, each 1 (smallest moment), 2 or 3 (largest)".to_owned(),
             Self::Solids => "an array of solids, one at least".to_owned(),
             Self::Steps => "an array of steps, each a table [[step]]".to_owned(),
         }
@@ -142,6 +145,7 @@ impl Single for i64 {
 /// The one small whole number of a scene is an axis.
 impl Single for u8 {
     const KIND: Kind = Kind::Axis;
+    const MANY: Kind = Kind::Axes;
     fn read(item: &Item) -> Result<Self, Refused> {
         match item.value {
             Value::Whole(axis @ 1..=3) => Ok(axis as Self),
@@ -276,7 +280,7 @@ impl<T: Single> Field for Vec<T> {
     }
     fn read(item: &Item) -> Result<Self, Refused> {
         let parts = array(item)?;
-        if parts.is_empty() && T::MANY == Kind::Solids { Err(Refused::other(item)) } else { Ok(parts) }
+        if parts.is_empty() && T::MANY != Kind::Names { Err(Refused::other(item)) } else { Ok(parts) }
     }
 }
 

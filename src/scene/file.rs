@@ -21,6 +21,8 @@ pub struct SceneFile {
     pub spin: SpinFile,
     /// How it is followed.
     pub motion: MotionFile,
+    /// Starts close together.
+    pub cloud: CloudFile,
     /// How it is looked at.
     pub view: ViewFile,
     /// The steps in which it is told.
@@ -83,6 +85,19 @@ pub struct MotionFile {
     pub step: Option<f64>,
     /// Names of the methods run beside it from the same start.
     pub compare: Vec<String>,
+    /// Energy lost inside the body at constant L, a number without a unit; none where left out.
+    pub energy_loss: Option<f64>,
+}
+
+/// Starts close together, all with the momentum of the scene's own: what the cloud is drawn of.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CloudFile {
+    /// How many in all.
+    pub count: Option<i64>,
+    /// How far (degrees) from their axis they are at most.
+    pub spread_deg: Option<f64>,
+    /// The principal axes round which they are; all three where left out.
+    pub axes: Vec<u8>,
 }
 
 /// How it is looked at.

@@ -183,6 +183,16 @@ pub static KEYS: &[Key] = &[
         "NAME,NAME",
         "Methods run beside it from the same start; '' for none",
     ),
+    key!(
+        "motion.energy_loss",
+        motion.energy_loss,
+        "",
+        "Energy lost inside the body at constant L, a number without a unit (0.02: in tens of turns); followed by `magnus4`"
+    )
+    .flag("energy-loss", "X"),
+    key!("cloud.count", cloud.count, "", "How many starts close together the cloud is made of, in all"),
+    key!("cloud.spread_deg", cloud.spread_deg, "degrees", "How far from their axis they are at most"),
+    key!("cloud.axes", cloud.axes, "", "The principal axes round which they are; all three where left out"),
     key!("view.layout", view.layout, "", "Which spaces to show").flag("view", "both|world|body"),
     key!("view.show", view.show, "", "Objects to show besides the default ones (`dzhanibekov objects` lists them)")
         .flag("show", "NAME,…")
@@ -405,7 +415,7 @@ mod tests {
         // A table is written once, so its keys stand together, and solids last: they open a table of their own.
         let mut tables: Vec<&str> = KEYS.iter().filter_map(|key| key.name.rsplit_once('.')).map(|it| it.0).collect();
         tables.dedup();
-        let in_file = ["body", "spin", "motion", "view", "view.world_camera", "view", "view.body_camera"];
+        let in_file = ["body", "spin", "motion", "cloud", "view", "view.world_camera", "view", "view.body_camera"];
         assert_eq!(tables, in_file);
         let solids = KEYS.iter().filter(|key| key.kind == Kind::Solids);
         assert!(solids.eq(keys_of("body").last()), "solids are the last of the body");
@@ -442,6 +452,7 @@ mod tests {
             (Kind::Choice(&["a", "b"]), "a or b"),
             (Kind::Choice(&["a", "b", "c"]), "a, b or c"),
             (Kind::Names, "an array of names in quotes"),
+            (Kind::Axes, "an array of axes, each 1 (smallest moment), 2 or 3 (largest)"),
             (Kind::Solids, "an array of solids, one at least"),
             (Kind::Steps, "an array of steps, each a table [[step]]"),
         ] {

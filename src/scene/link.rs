@@ -234,7 +234,7 @@ mod tests {
             ("#flip?spin.rate", "the link has `spin.rate` without a value"),
             (
                 "#flip?scene=abc",
-                "unknown key `scene`; known here are title, text, question, answer, order, body, spin, motion, view, step",
+                "unknown key `scene`; known here are title, text, question, answer, order, body, spin, motion, cloud, view, step",
             ),
             ("#flip?scene-step=0", "the link has the step `0`: it must be 1 or more"),
             ("#flip?time=", "the link has the time ``: it must be a finite number (s)"),

@@ -6,6 +6,7 @@
 //! and check it again, so there is one way in.
 
 mod check;
+mod cloud;
 mod command;
 mod edit;
 mod field;
@@ -25,10 +26,11 @@ mod word;
 mod write;
 
 pub use check::{DEFAULT_EDGES, SPEEDS, Scene, SceneError};
+pub use cloud::Cloud;
 pub use command::{flags, quoted};
 pub use edit::{Edit, Edits};
 pub use field::Kind;
-pub use file::{BodyFile, CameraFile, MotionFile, SceneFile, SolidFile, SpinFile, ViewFile};
+pub use file::{BodyFile, CameraFile, CloudFile, MotionFile, SceneFile, SolidFile, SpinFile, ViewFile};
 pub use keys::{Flag, KEYS, Key, SOLID_KEYS, STEP_KEYS, key};
 pub use nearest::nearest;
 pub use parts::{Part, PartKind};

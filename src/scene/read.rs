@@ -204,6 +204,11 @@ attitude = [1, 2, 3, 4]
 method = "buss"
 step = 1
 compare = ["rk4", "x"]
+energy_loss = 0.5
+[cloud]
+count = 7
+spread_deg = 2
+axes = [2, 3]
 [view]
 layout = "world"
 theme = "light"
@@ -245,7 +250,9 @@ distance = 3
         assert_eq!((spin.rate, spin.attitude), (Some(f64::NEG_INFINITY), Some([1.0, 2.0, 3.0, 4.0])));
         let motion = &file.motion;
         assert_eq!((motion.method.as_deref(), motion.step), (Some("buss"), Some(1.0)));
-        assert_eq!(motion.compare, ["rk4", "x"]);
+        assert_eq!((&motion.compare[..], motion.energy_loss), (&["rk4".to_owned(), "x".to_owned()][..], Some(0.5)));
+        let cloud = &file.cloud;
+        assert_eq!((cloud.count, cloud.spread_deg, &cloud.axes[..]), (Some(7), Some(2.0), &[2, 3][..]));
         let view = &file.view;
         assert_eq!((view.layout, view.theme, view.labels), (Some(Layout::World), Some(Theme::Light), Some(false)));
         assert_eq!((&view.show[..], &view.hide[..]), (&["a".to_owned()][..], &["b".to_owned(), "c".to_owned()][..]));
@@ -371,7 +378,7 @@ distance = 3
             ("rate = 1", "line 1: unknown key `rate`; the nearest known key is `spin.rate`"),
             (
                 "xyz = 1",
-                "line 1: unknown key `xyz`; known here are title, text, question, answer, order, body, spin, motion, view, step",
+                "line 1: unknown key `xyz`; known here are title, text, question, answer, order, body, spin, motion, cloud, view, step",
             ),
             (
                 "view.world_camera.azimut_deg = 1",
@@ -385,7 +392,7 @@ distance = 3
             ("'spin.rat' = 1", "line 1: unknown key `spin.rat`; the nearest known key is `spin.rate`"),
             (
                 "\"a\\nb\" = 1",
-                "line 1: unknown key `a\\nb`; known here are title, text, question, answer, order, body, spin, motion, view, step",
+                "line 1: unknown key `a\\nb`; known here are title, text, question, answer, order, body, spin, motion, cloud, view, step",
             ),
             ("spin.rate.x = 1", "line 1: spin.rate is a table: it must be a number (rad/s)"),
             // TOML.

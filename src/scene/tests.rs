@@ -1,12 +1,12 @@
 //! Scenes at random, and every built-in scene, through all that reads and writes them.
 
 use super::edit::Edits;
-use super::keys::KEYS;
+use super::keys::{KEYS, Key};
 use super::{
-    BodyFile, CameraFile, Layout, MotionFile, PartKind, Scene, SceneError, SceneFile, SolidFile, SpinFile, StepFile,
-    Theme, TimeUnit, ViewFile, flags, link, presets,
+    BodyFile, CameraFile, CloudFile, Layout, MotionFile, PartKind, Scene, SceneError, SceneFile, SolidFile, SpinFile,
+    StepFile, Theme, TimeUnit, ViewFile, flags, link, presets,
 };
-use crate::physics::METHODS;
+use crate::physics::{METHODS, Method, methods::LOSS_METHOD};
 
 /// How many random scenes are tried.
 const SCENES: u64 = 10_000;
@@ -184,7 +184,6 @@ impl Random {
     }
 
     fn scene(&mut self) -> SceneFile {
-        let methods: Vec<&str> = METHODS.iter().map(|method| method.name).collect();
         SceneFile {
             title: self.text(),
             text: self.text(),
@@ -193,20 +192,39 @@ impl Random {
             order: self.maybe(|it| it.next().cast_signed()),
             body: self.body(),
             spin: self.spin(),
-            motion: MotionFile {
-                method: self.maybe(|it| it.pick(&methods).to_owned()),
-                step: self.maybe(|it| it.positive(-9, 9)),
-                compare: self.names(&methods),
-            },
+            motion: self.motion(),
+            cloud: self.cloud(),
             view: self.view(),
             steps: if self.is(2) { vec![] } else { (0..self.below(4)).map(|_| self.step()).collect() },
         }
     }
 
-    /// A scene with some of its parts those of another: body and spin whole, so that it stays one that can be run.
+    /// Where energy is lost only one method knows it.
+    fn motion(&mut self) -> MotionFile {
+        let energy_loss = self.maybe(|it| if it.is(3) { 0.0 } else { it.positive(-9, 1) });
+        let known = |method: &&Method| energy_loss.is_none_or(|loss| loss == 0.0) || method.name == LOSS_METHOD;
+        let methods: Vec<&str> = METHODS.iter().filter(|method| known(method)).map(|method| method.name).collect();
+        MotionFile {
+            method: self.maybe(|it| it.pick(&methods).to_owned()),
+            step: self.maybe(|it| it.positive(-9, 9)),
+            compare: self.names(&methods),
+            energy_loss,
+        }
+    }
+
+    fn cloud(&mut self) -> CloudFile {
+        CloudFile {
+            count: self.maybe(|it| 1 + it.below(100_000).cast_signed()),
+            spread_deg: self.maybe(|it| 90.0 * it.share()),
+            axes: (0..self.below(4)).map(|_| self.pick(&[1, 2, 3])).collect(),
+        }
+    }
+
+    /// A scene with some of its parts those of another: body, spin and motion whole, so that it stays one that can be run.
     fn mixed(&mut self, of: &SceneFile, with: &SceneFile) -> SceneFile {
         let mut mixed = of.clone();
-        for key in KEYS.iter().filter(|key| !key.name.starts_with("body.") && !key.name.starts_with("spin.")) {
+        let is_whole = |key: &&Key| ["body.", "spin.", "motion."].iter().any(|table| key.name.starts_with(table));
+        for key in KEYS.iter().filter(|key| !is_whole(key)) {
             if self.is(2) {
                 key.copy(with, &mut mixed);
             }
@@ -216,6 +234,9 @@ impl Random {
         }
         if self.is(2) {
             mixed.spin = with.spin.clone();
+        }
+        if self.is(2) {
+            mixed.motion = with.motion.clone();
         }
         mixed
     }

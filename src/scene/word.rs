@@ -21,6 +21,12 @@ pub(super) fn read(kind: Kind, word: &str) -> Result<Item, String> {
         },
         Kind::Names if word.is_empty() => Value::List(vec![]),
         Kind::Names => Value::List(word.split(',').map(|name| Value::Text(name.trim().to_owned()).into()).collect()),
+        Kind::Axes => Value::List(
+            word.split(',')
+                .map(|part| part.trim().parse().map(|axis| Value::Whole(axis).into()))
+                .collect::<Result<_, _>>()
+                .map_err(|_| format!("`{}` is not {}", shortened(word), kind.words()))?,
+        ),
         Kind::Solids => return Err("solids are given by --set body.solids=[…]".to_owned()),
         Kind::Steps => return Err("steps are given by --set step=[…]".to_owned()),
     };
@@ -31,6 +37,7 @@ pub(super) fn read(kind: Kind, word: &str) -> Result<Item, String> {
 pub(super) fn write(kind: Kind, value: &Value) -> Option<String> {
     let of_list = |item: &Item| match &item.value {
         Value::Number(value) => Some(number(*value)),
+        Value::Whole(value) => Some(value.to_string()),
         Value::Text(name) => Some(name.clone()),
         _ => None,
     };
@@ -89,6 +96,7 @@ mod tests {
             (Kind::Axis, "3", Value::Whole(3)),
             (Kind::Switch, "on", Value::Switch(true)),
             (Kind::Switch, "off", Value::Switch(false)),
+            (Kind::Axes, "1,3", Value::List(vec![Value::Whole(1).into(), Value::Whole(3).into()])),
             (Kind::Names, "", names(&[])),
             (Kind::Names, "a", names(&["a"])),
             (Kind::Names, "a,b", names(&["a", "b"])),
@@ -112,6 +120,7 @@ mod tests {
         assert_eq!(write(Kind::Solids, &Value::List(vec![Value::Table(vec![]).into()])), None);
         assert_eq!(write(Kind::Number, &text("x")), None);
         assert_eq!(write(Kind::Text, &Value::Date("1979-05-27".to_owned())), None);
+        assert!(read(Kind::Axes, "1,x").is_err_and(|why| why.starts_with("`1,x` is not an array of axes")));
         assert!(read(Kind::Solids, "x").is_err_and(|why| why.contains("--set body.solids")));
         assert!(read(Kind::Numbers(2), "1,2,x").is_err_and(|why| why == "`x` is not a number"));
         assert!(read(Kind::Numbers(2), "-1e999,2").is_err_and(|why| why.contains("past the range")));

@@ -6,7 +6,7 @@ use super::slides::{Opened, Slide};
 use super::undo::{Kind, Moment};
 use super::{Effect, Session, command_line, keep_choices, start};
 use crate::objects::{self, Cameras};
-use crate::physics::{Motion, so3};
+use crate::physics::{Motion, methods::LOSS_METHOD, so3};
 use crate::scene::{SceneFile, SpinFile, ViewFile};
 use crate::sim::Simulation;
 use crate::ui::{Pixels, path_in};
@@ -94,6 +94,18 @@ impl Session {
             }
             Err(error) => self.say(error.to_string()),
         }
+    }
+
+    /// Loses energy, or none. Where some is lost the method that knows it follows, alone.
+    pub(super) fn set_energy_loss(&mut self, loss: f64) {
+        self.edit(|file| {
+            let motion = &mut file.motion;
+            motion.energy_loss = (loss != 0.0).then_some(loss);
+            if loss > 0.0 {
+                motion.method = motion.method.take().filter(|method| method == LOSS_METHOD);
+                motion.compare.clear();
+            }
+        });
     }
 
     /// Runs a method beside the scene's own, or no longer.

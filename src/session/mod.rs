@@ -343,6 +343,7 @@ impl Session {
             Command::Poke => self.poke(),
             Command::SetMethod(method) => self.edit(|file| file.motion.method = Some(method.to_owned())),
             Command::SetStep(step) => self.edit(|file| file.motion.step = Some(step)),
+            Command::SetEnergyLoss(loss) => self.set_energy_loss(loss),
             Command::Compare { method, is_on } => self.compare(method, is_on),
             Command::Hover(at) => self.hover(at),
             Command::Pick(at) => self.pick(at),

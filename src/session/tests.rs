@@ -192,6 +192,37 @@ fn a_slider_changes_one_thing_in_scenes_of_every_kind() -> Result<(), SceneError
 }
 
 #[test]
+fn where_energy_is_lost_one_method_follows_and_no_flip_is_promised() -> Result<(), SceneError> {
+    let mut driven = Driven::new("methods")?;
+    assert!(driven.session.timeline.first_flip.is_some());
+    driven.apply(Command::SetEnergyLoss(0.05));
+    let scene = &driven.session.scene;
+    assert_eq!((scene.energy_loss, scene.method.name, scene.compare.len()), (0.05, "magnus4", 0));
+    assert_eq!(driven.session.timeline.first_flip, None);
+    driven.apply(Command::NextFlip);
+    assert_eq!(driven.message(), "Where energy is lost no flip is known beforehand: let it run.");
+    for refused in [Command::SetMethod("buss"), Command::Compare { method: "closed-form", is_on: true }] {
+        driven.apply(refused);
+        assert!(driven.message().contains("does not know the energy loss of 0.05"), "{}", driven.message());
+        assert_eq!(driven.session.scene.method.name, "magnus4");
+    }
+    // It falls as time runs, and rises where time runs backwards, by the same way.
+    driven.run(2.0);
+    let lost = driven.session.sim.energy_error();
+    assert!(lost < -0.01, "{lost}");
+    driven.apply(Command::Reverse);
+    driven.run(1.0);
+    assert!(driven.session.sim.energy_error() > lost);
+    driven.apply(Command::GoTo(0.0));
+    assert_eq!(driven.session.sim.energy_error(), 0.0);
+    driven.apply(Command::SetEnergyLoss(-1.0));
+    assert!(driven.message().contains("energy_loss -1 is not valid"), "{}", driven.message());
+    driven.apply(Command::SetEnergyLoss(0.0));
+    assert_eq!((driven.file().motion.energy_loss, driven.session.scene.method.name), (None, "exact-step"));
+    Ok(())
+}
+
+#[test]
 fn spin_energy_separatrix_and_poke_begin_other_motions_of_the_same_momentum() -> Result<(), SceneError> {
     let mut driven = Driven::new("flip")?;
     driven.apply(Command::SpinAxis(3));

@@ -8,10 +8,14 @@ use crate::ui::{SPEED_POWERS, Timeline};
 
 /// Most steps that going to another time may take: a few tenths of a second of work.
 pub(super) const MOST_STEPS: f64 = 4e6;
+/// E-folds of a wobble that the scrub bar shows where energy is lost.
+const E_FOLDS: f64 = 6.0;
 /// Flips that the scrub bar shows from the start.
 const FLIPS_AHEAD: f64 = 5.0;
 /// How far before a flip the loop of one begins and after it ends, in reaches of slow motion.
 const LOOPS_REACH: f64 = 1.8;
+/// What is said of the flips of a body that loses energy.
+const FLIPS_UNKNOWN: &str = "Where energy is lost no flip is known beforehand: let it run.";
 /// Share of the momentum that must lie along the middle axis at times for the body to be seen turning over.
 const TURNS_OVER: f64 = 0.8;
 
@@ -163,8 +167,10 @@ impl Session {
 
     pub(super) fn go_to(&mut self, time: f64) {
         if self.sim.steps_to(time) > MOST_STEPS {
+            let direct =
+                if self.scene.energy_loss > 0.0 { "" } else { ", or the closed form, which goes anywhere at once" };
             self.say(format!(
-                "{} is too many steps of {} ms away: take a longer step, or the closed form, which goes anywhere at once",
+                "{} is too many steps of {} ms away: take a longer step{direct}",
                 crate::ui::numbers::significant(time, 4) + " s",
                 self.scene.step * 1e3
             ));
@@ -178,6 +184,7 @@ impl Session {
     pub(super) fn go_to_next_flip(&mut self) {
         match self.timeline.next_flip(self.sim.time(), self.sim.clock.speed < 0.0) {
             Some(flip) => self.go_to(flip),
+            None if self.scene.energy_loss > 0.0 => self.say(FLIPS_UNKNOWN),
             None => self.say("No flip comes any more."),
         }
     }
@@ -197,6 +204,9 @@ impl Session {
 
 /// What can be said of a scene's motion before it is run.
 fn timeline_of(scene: &crate::scene::Scene) -> Timeline {
+    if scene.energy_loss > 0.0 {
+        return losing_timeline(scene);
+    }
     // A momentum that stays far from the middle axis circles; nobody would say that the body flips.
     let first_flip = poinsot::next_flip_of(&scene.body, &scene.start).filter(|_| nearest_to_middle(scene) > TURNS_OVER);
     let period = poinsot::flip_period_of(&scene.body, &scene.start).filter(|_| first_flip.is_some());
@@ -210,6 +220,19 @@ fn timeline_of(scene: &crate::scene::Scene) -> Timeline {
     };
     let high = if seen.is_finite() { seen.clamp(1e-3, 1e9) } else { turns };
     Timeline { low: 0.0, high, first_flip, period }
+}
+
+/// Where energy is lost flips are not predicted; the time line is about as long as it takes: a wobble about axis 1 grows, and one about axis 3
+/// dies away, at the rates that are told in `magnus4`, here those of the slower of the two.
+fn losing_timeline(scene: &crate::scene::Scene) -> Timeline {
+    let inverse = scene.body.principal_moments().recip();
+    let ell = so3::norm(scene.start.body_momentum);
+    let growth = inverse.x - 0.5 * (inverse.y + inverse.z);
+    let decay = 0.5 * (inverse.x + inverse.y) - inverse.z;
+    let time = E_FOLDS / (scene.energy_loss * ell * growth.min(decay));
+    let turns = 20.0 * std::f64::consts::PI / so3::norm(scene.start.body_angular_velocity(&scene.body));
+    let high = [time, turns, 10.0].into_iter().find(|time| (1e-3..1e9).contains(time)).unwrap_or(10.0);
+    Timeline { low: 0.0, high, first_flip: None, period: None }
 }
 
 /// Largest share of the momentum along the middle axis, `max |M₂|/ℓ`, over the whole motion.

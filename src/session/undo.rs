@@ -32,6 +32,7 @@ impl Kind {
             | Command::SetRate(_)
             | Command::SetEnergy(_)
             | Command::SetStep(_)
+            | Command::SetEnergyLoss(_)
             | Command::DragTip(_) => Some(Self::Part(std::mem::discriminant(command))),
             _ => Some(Self::Whole),
         }

@@ -2,6 +2,8 @@
 
 use std::collections::VecDeque;
 
+use glam::DVec3;
+
 use super::{Runner, Simulation};
 use crate::physics::{Motion, State, motion, so3};
 
@@ -11,11 +13,12 @@ const MOST: usize = 1200;
 /// How far one method's state is from what is exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Errors {
-    /// Of the energy, relative; negative where some is lost.
+    /// Of the energy, relative; negative where some is lost. Of a body that is to lose energy this is no error but what it has lost.
     pub energy: f64,
     /// Of the world momentum, relative.
     pub momentum: f64,
-    /// Of the attitude: the angle to the exact one (rad).
+    /// Of the attitude: the angle to the exact one (rad). Of a body that loses energy there is no exact one, and this is the angle to
+    /// that of a body which loses none.
     pub attitude: f64,
 }
 
@@ -39,6 +42,8 @@ pub struct Sample {
     pub time: f64,
     /// One entry a method: the scene's own, then those compared with.
     pub errors: Vec<Errors>,
+    /// The body momentum of the scene's own method (kg m²/s).
+    pub momentum: DVec3,
     /// Nothing is known of the time between the sample before and this one.
     pub is_after_gap: bool,
 }
@@ -76,7 +81,8 @@ impl History {
         }
         let runners = std::iter::once(simulation.main()).chain(simulation.ghosts());
         let errors = runners.map(|runner: &Runner| Errors::of(simulation, exact, runner.state())).collect();
-        let sample = Sample { time, errors, is_after_gap: is_after && has_jumped };
+        let momentum = simulation.state().body_momentum;
+        let sample = Sample { time, errors, momentum, is_after_gap: is_after && has_jumped };
         if is_after {
             self.samples.push_back(sample);
         } else {

@@ -1,5 +1,6 @@
 //! The running simulation: its clock, the body under its method, and the same start under others beside it.
 
+mod checkpoints;
 mod clock;
 mod flips;
 mod history;

@@ -1,24 +1,38 @@
 //! A scene set in motion.
 
-use crate::physics::{Body, Integration, Method, MethodError, State, motion};
+use glam::DVec3;
+
+use crate::physics::{
+    Body, Integration, Method, MethodError, Motion, State, method, methods::LOSS_METHOD, motion, so3,
+};
 use crate::scene::Scene;
 
+use super::checkpoints::Checkpoints;
 use super::{Clock, Tick};
 
 /// Steps that can be counted without rounding.
 const COUNTABLE: f64 = 9e15;
+/// Longest turn (rad) of a step by which a body that loses energy is followed for the picture alone.
+const DRAWN_TURN: f64 = 0.05;
+/// The same for the way since the start, and the most points of it.
+const TRACK_TURN: f64 = 0.15;
+const MOST_TRACK: f64 = 40_000.0;
 
 /// The scene's body followed by one method.
 #[derive(Clone, Debug)]
 pub struct Runner {
     integration: Integration,
+    /// The way back, where energy is lost.
+    checkpoints: Option<Checkpoints>,
     state: State,
     failure: Option<MethodError>,
 }
 
 impl Runner {
-    fn new(body: &Body, start: State, method: &'static Method, step: f64) -> Self {
-        Self { integration: Integration::new(method, body, start, step), state: start, failure: None }
+    fn new(body: &Body, start: State, method: &'static Method, step: f64, energy_loss: f64) -> Self {
+        let integration = Integration::with_energy_loss(method, body, start, step, energy_loss);
+        let checkpoints = (energy_loss > 0.0).then(|| Checkpoints::new(&integration));
+        Self { integration, checkpoints, state: start, failure: None }
     }
 
     /// The method that follows the body.
@@ -41,7 +55,12 @@ impl Runner {
 
     fn advance(&mut self, count: i64) {
         if self.failure.is_none() {
-            match self.integration.advance(count) {
+            let target = self.integration.steps().saturating_add(count);
+            let outcome = match &mut self.checkpoints {
+                Some(checkpoints) => checkpoints.go_to(&mut self.integration, target),
+                None => self.integration.advance(count),
+            };
+            match outcome {
                 Ok(()) => self.state = self.integration.state(),
                 Err(error) => self.failure = Some(error),
             }
@@ -50,7 +69,12 @@ impl Runner {
 
     fn go_to(&mut self, time: f64) {
         if self.failure.is_none() {
-            match self.integration.state_at(time) {
+            let whole = (time / self.integration.step()).trunc();
+            let behind = match &mut self.checkpoints {
+                Some(checkpoints) if whole.abs() < COUNTABLE => checkpoints.go_to(&mut self.integration, whole as i64),
+                _ => Ok(()),
+            };
+            match behind.and_then(|()| self.integration.state_at(time)) {
                 Ok(state) => {
                     self.state = state;
                     self.follow(time);
@@ -88,6 +112,7 @@ pub struct Simulation {
     body: Body,
     start: State,
     step: f64,
+    energy_loss: f64,
     /// The clock.
     pub clock: Clock,
     time: f64,
@@ -100,13 +125,13 @@ impl Simulation {
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let compare = scene.compare.iter().copied();
-        Self::of_methods(&scene.body, scene.start, scene.step, scene.method, compare)
+        Self::of_methods(&scene.body, scene.start, (scene.step, scene.energy_loss), scene.method, compare)
     }
 
     fn of_methods(
         body: &Body,
         start: State,
-        step: f64,
+        (step, energy_loss): (f64, f64),
         method: &'static Method,
         compare: impl Iterator<Item = &'static Method>,
     ) -> Self {
@@ -114,10 +139,11 @@ impl Simulation {
             body: *body,
             start,
             step,
+            energy_loss,
             clock: Clock::default(),
             time: 0.0,
-            main: Runner::new(body, start, method, step),
-            ghosts: compare.map(|method| Runner::new(body, start, method, step)).collect(),
+            main: Runner::new(body, start, method, step, energy_loss),
+            ghosts: compare.map(|method| Runner::new(body, start, method, step, energy_loss)).collect(),
         }
     }
 
@@ -137,6 +163,12 @@ impl Simulation {
     #[must_use]
     pub fn step_length(&self) -> f64 {
         self.step
+    }
+
+    /// Energy lost inside the body at constant L, a number without a unit; 0 for none.
+    #[must_use]
+    pub fn energy_loss(&self) -> f64 {
+        self.energy_loss
     }
 
     /// Simulated time (s).
@@ -204,12 +236,57 @@ impl Simulation {
     pub fn restart(&mut self) {
         let clock = self.clock;
         let compare = self.ghosts.iter().map(Runner::method);
-        *self = Self::of_methods(&self.body, self.start, self.step, self.main.method(), compare);
+        let numbers = (self.step, self.energy_loss);
+        *self = Self::of_methods(&self.body, self.start, numbers, self.main.method(), compare);
         self.clock = clock;
         self.clock.clear();
     }
 
-    /// Relative error of the energy since the start (absolute where the body was at rest).
+    /// Where the motion through the present state was and will be: at `count` + 1 times evenly from `low` to `high` (s) from now, 0 among them or at an end.
+    ///
+    /// It is the exact motion; where energy is lost, the method that knows it, by steps fine enough for a picture.
+    #[must_use]
+    pub fn around(&self, low: f64, high: f64, count: u32) -> Vec<State> {
+        let (now, spacing) = (self.state(), (high - low) / f64::from(count.max(1)));
+        let at = |n: u32| low + (high - low) * (f64::from(n) / f64::from(count.max(1)));
+        let losing = method(LOSS_METHOD).filter(|_| self.energy_loss > 0.0 && spacing > 0.0);
+        let followed = losing.and_then(|method| {
+            let rate = so3::norm(now.body_momentum) / self.body.principal_moments().x;
+            let step = spacing / (spacing * rate / DRAWN_TURN).ceil().clamp(1.0, 1e3);
+            let mut integration = Integration::with_energy_loss(method, &self.body, *now, step, self.energy_loss);
+            let (before, after): (Vec<u32>, Vec<u32>) = (0..=count).partition(|n| at(*n) < 0.0);
+            let mut states = vec![*now; count as usize + 1];
+            for n in before.into_iter().rev().chain(after) {
+                states[n as usize] = integration.state_at(at(n)).ok()?;
+            }
+            Some(states)
+        });
+        // A loss too small for such steps to show is none that a picture would.
+        followed.unwrap_or_else(|| {
+            let motion = Motion::new(&self.body, now);
+            (0..=count).map(|n| motion.state(at(n))).collect()
+        })
+    }
+
+    /// The body momenta (kg m²/s) from the start until now, close enough to each other for a curve: of the exact motion, or, where energy is lost,
+    /// of the method that knows it. Of more than a thousand turns the last ones; with loss, which is over by then, the first.
+    #[must_use]
+    pub fn momenta_since_start(&self) -> Vec<DVec3> {
+        let rate = so3::norm(self.start.body_momentum) / self.body.principal_moments().x;
+        let spacing = TRACK_TURN / rate;
+        let count = (self.time.abs() / spacing).ceil().clamp(1.0, MOST_TRACK);
+        let step = (self.time.abs() / count).min(spacing);
+        let Some(method) = method(LOSS_METHOD).filter(|_| self.energy_loss > 0.0 && step > 0.0) else {
+            let motion = Motion::new(&self.body, &self.start);
+            let at = |n: u32| self.time - (step * (count - f64::from(n))).copysign(self.time);
+            return (0..=count as u32).map(|n| motion.momentum(at(n))).collect();
+        };
+        let mut losing = Integration::with_energy_loss(method, &self.body, self.start, step, self.energy_loss);
+        let states = (0..=count as u32).map_while(|n| losing.state_at(step.copysign(self.time) * f64::from(n)).ok());
+        states.map(|state| state.body_momentum).collect()
+    }
+
+    /// Relative error of the energy since the start (absolute where the body was at rest); where energy is lost, what has been.
     #[must_use]
     pub fn energy_error(&self) -> f64 {
         motion::energy_error(&self.body, &self.start, self.state())

@@ -44,9 +44,8 @@ impl Slowing {
     #[must_use]
     pub fn factor(&self, time: f64) -> f64 {
         let far = ((time - self.nearest_flip(time)) / self.reach).abs().min(1.0);
-        // 1 at the flip and 0 from the reach on, level at both.
-        let near = 1.0 - far * far * (3.0 - 2.0 * far);
-        1.0 - (1.0 - SLOWEST) * near
+        // The share is 0 at the flip and 1 from the reach on, level at both.
+        SLOWEST + (1.0 - SLOWEST) * (far * far * (3.0 - 2.0 * far))
     }
 }
 

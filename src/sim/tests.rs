@@ -183,6 +183,79 @@ fn the_history_is_in_order_thins_itself_and_keeps_its_ends() -> Result<(), Scene
     Ok(())
 }
 
+const LOSING: &str = "[body]\nbox = [1.0, 0.2, 0.1]\n[spin]\naxis = 1\ntilt_deg = 2.0\nrate = 6.0\n[motion]\nenergy_loss = 0.05\nstep = 0.01";
+
+/// However one comes to a time where energy is lost, it is the same state to the bit: steps back are the way there taken again.
+#[test]
+fn a_way_back_with_loss_is_the_way_there() -> Result<(), SceneError> {
+    let mut simulation = Simulation::new(&scene(LOSING)?);
+    let mut seen = vec![*simulation.state()];
+    // Past the number of places that are kept: every second one has gone.
+    for _ in 0..20_000 {
+        simulation.step(1);
+        seen.push(*simulation.state());
+    }
+    assert!(simulation.energy_error() < -0.5, "{}", simulation.energy_error());
+    for (by, at) in [(-1, 19_999), (-99, 19_900), (-9_900, 10_000), (3, 10_003), (-10_002, 1), (-1, 0)] {
+        simulation.step(by);
+        assert_eq!(*simulation.state(), seen[at], "at step {at}");
+        assert!((simulation.time() - at as f64 * 0.01).abs() < 1e-12);
+    }
+    for at in [150.0, 3.0, 199.0, 0.0] {
+        simulation.go_to(at);
+        assert_eq!(*simulation.state(), seen[(at * 100.0) as usize], "at {at} s");
+    }
+    // Before the start it has more energy, and comes back to the start.
+    simulation.step(-50);
+    let before = *simulation.state();
+    assert!(simulation.energy_error() > 0.0);
+    simulation.go_to(-1.0);
+    simulation.step(50);
+    assert_eq!(*simulation.state(), before);
+    simulation.step(60);
+    assert_eq!(*simulation.state(), seen[10]);
+    Ok(())
+}
+
+/// What is drawn around now: the way that it came and will go, with and without loss.
+#[test]
+fn around_now_is_the_motion_itself() -> Result<(), SceneError> {
+    for (text, bound) in [(COMPARED.replace("buss", "exact-step"), 1e-12), (LOSING.to_owned(), 1e-5)] {
+        let mut simulation = Simulation::new(&scene(&text)?);
+        let mut at = |time: f64| {
+            simulation.go_to(time);
+            *simulation.state()
+        };
+        let wanted = [2.0, 2.5, 3.0, 3.5, 4.0, 4.5].map(&mut at);
+        at(4.0);
+        // By steps of 0.05 rad at most: (0.05)⁴ of some 20 rad, over the factor of a hundred or so that such errors have.
+        for (found, wanted) in simulation.around(-2.0, 0.5, 5).iter().zip(&wanted) {
+            let apart = so3::angle_between(found.world_from_body, wanted.world_from_body);
+            assert!(apart < bound, "{apart}");
+        }
+    }
+    Ok(())
+}
+
+/// From the start to now, on the motion: by steps of 0.15 rad, of which 0.15⁴ of some 50 rad over a hundred is left.
+#[test]
+fn the_way_since_the_start_begins_there_and_ends_here() -> Result<(), SceneError> {
+    for text in [COMPARED.replace("buss", "exact-step"), LOSING.to_owned()] {
+        let scene = scene(&text)?;
+        let ell = so3::norm(scene.start.body_momentum);
+        let mut simulation = Simulation::new(&scene);
+        for time in [8.0, -1.0, 0.0] {
+            simulation.go_to(time);
+            let way = simulation.momenta_since_start();
+            let (first, last) = (way[0], way[way.len() - 1]);
+            assert!((first - scene.start.body_momentum).length() < 1e-12 * ell);
+            assert!((last - simulation.state().body_momentum).length() < 1e-3 * ell, "{time}");
+            assert!(way.windows(2).all(|pair| (pair[1] - pair[0]).length() < 0.15 * ell));
+        }
+    }
+    Ok(())
+}
+
 #[test]
 fn flips_are_forgotten_after_a_jump() -> Result<(), SceneError> {
     let scene = Scene::check(&preset("flip")?.read()?)?;

@@ -16,6 +16,8 @@ const TWO_CHARTS: f32 = 720.0;
 const POINTS: u32 = 500;
 /// What is drawn for no error at all, on the logarithmic scale.
 const FLOOR: f64 = -17.0;
+/// What the second chart shows where energy is lost.
+const ENERGY_LEFT: &str = "Energy K, in parts of that of the start";
 /// The components of the angular velocity along the principal axes.
 const NAMES: [&str; 3] = ["Ω₁", "Ω₂", "Ω₃"];
 
@@ -65,15 +67,22 @@ impl Charts {
     fn one(&mut self, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         ui.horizontal(|ui| {
             ui.selectable_value(&mut self.shows_errors, false, "velocity");
-            ui.selectable_value(&mut self.shows_errors, true, "errors");
-            if self.shows_errors {
+            let other = if look.loses_energy() { "energy" } else { "errors" };
+            ui.selectable_value(&mut self.shows_errors, true, other);
+            if self.shows_errors && look.loses_energy() {
+                ui.label(ENERGY_LEFT);
+            } else if self.shows_errors {
                 ui.separator();
                 self.kinds(ui);
             } else {
                 names(ui, look);
             }
         });
-        if self.shows_errors { errors_graph(self.kind, ui, look, commands) } else { velocity_graph(ui, look, commands) }
+        match (self.shows_errors, look.loses_energy()) {
+            (true, true) => energy_graph(ui, look, commands),
+            (true, false) => errors_graph(self.kind, ui, look, commands),
+            (false, _) => velocity_graph(ui, look, commands),
+        }
     }
 
     fn kinds(&mut self, ui: &mut Ui) {
@@ -83,6 +92,11 @@ impl Charts {
     }
 
     fn errors(&mut self, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+        if look.loses_energy() {
+            ui.label(ENERGY_LEFT);
+            energy_graph(ui, look, commands);
+            return;
+        }
         ui.horizontal(|ui| {
             ui.label("Error of");
             self.kinds(ui);
@@ -128,6 +142,21 @@ fn errors_graph(kind: Kind, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Com
     go_to(response.inner, commands);
 }
 
+/// How much of its energy a body that loses it has left.
+fn energy_graph(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    let is_dark = ui.visuals().dark_mode;
+    let chart = plot("energy", look).default_y_bounds(0.0, 1.0).include_y(0.0).include_y(1.0);
+    let response = chart.show(ui, |plot| {
+        let color = look.color_of(look.scene.method);
+        for piece in look.history.pieces(|sample| Some(1.0 + sample.errors.first()?.energy)) {
+            plot.line(Line::new("K", PlotPoints::from(piece)).color(color).width(2.5));
+        }
+        finish(plot, look, is_dark)
+    });
+    name(&response.response, "graph of the energy that is left");
+    go_to(response.inner, commands);
+}
+
 fn velocity(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.label("Angular velocity in the body");
@@ -147,12 +176,16 @@ fn velocity_graph(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let principal_from_body = look.sim.body().body_from_principal().transpose();
     let moments = look.sim.body().principal_moments();
     let (low, high) = (look.timeline.low, look.timeline.high);
-    let curve: Vec<(f64, glam::DVec3)> = (0..=POINTS)
-        .map(|index| {
-            let time = low + (high - low) * f64::from(index) / f64::from(POINTS);
-            (time, principal_from_body * look.motion.momentum(time) / moments)
-        })
-        .collect();
+    let omega = |momentum| principal_from_body * momentum / moments;
+    // Where energy is lost only what has been is known.
+    let curves: [Vec<Vec<[f64; 2]>>; 3] = std::array::from_fn(|axis| {
+        if look.loses_energy() {
+            return look.history.pieces(|sample| Some(omega(sample.momentum).to_array()[axis]));
+        }
+        let time = |index| low + (high - low) * f64::from(index) / f64::from(POINTS);
+        let at = |index| [time(index), omega(look.motion.momentum(time(index))).to_array()[axis]];
+        vec![(0..=POINTS).map(at).collect()]
+    });
     let now = principal_from_body * look.sim.state().body_momentum / moments;
     let per = look.time_unit();
     let unit = move |mark: egui_plot::GridMark, _: &_| format!("{} rad/{per}", trimmed(&significant(mark.value, 4)));
@@ -160,10 +193,11 @@ fn velocity_graph(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let chart = chart.y_grid_spacer(egui_plot::uniform_grid_spacer(|grid| round_steps(&grid, 5.0)));
     let colors = look.axis_colors();
     let response = chart.show(ui, |plot| {
-        for (axis, name) in NAMES.into_iter().enumerate() {
+        for ((axis, name), pieces) in NAMES.into_iter().enumerate().zip(curves) {
             let color = colors[axis];
-            let points: Vec<[f64; 2]> = curve.iter().map(|(time, omega)| [*time, omega.to_array()[axis]]).collect();
-            plot.line(Line::new(name, PlotPoints::from(points)).color(color).width(2.0));
+            for piece in pieces {
+                plot.line(Line::new(name, PlotPoints::from(piece)).color(color).width(2.0));
+            }
             // Where the method at work has it: off the line where the method errs.
             let here = vec![[look.sim.time(), now.to_array()[axis]]];
             plot.points(Points::new("", PlotPoints::from(here)).color(color).radius(4.0).allow_hover(false));

@@ -49,6 +49,8 @@ pub enum Command {
     SetMethod(&'static str),
     /// Takes steps of this length (s).
     SetStep(f64),
+    /// Loses energy inside the body at this rate, a number without a unit; 0 for none. The method that knows it follows.
+    SetEnergyLoss(f64),
     /// Runs a method beside it from the same start, or no longer.
     Compare {
         /// Its name.

@@ -66,6 +66,11 @@ impl Look<'_> {
         now.body != then.body || now.spin != then.spin || now.motion != then.motion
     }
 
+    /// Whether energy is lost inside the body, of which the exact motion and what is predicted from it know nothing.
+    pub(super) fn loses_energy(&self) -> bool {
+        self.scene.energy_loss > 0.0
+    }
+
     /// The sign of the scene's unit of time.
     pub(super) fn time_unit(&self) -> &'static str {
         self.scene.view.time_unit.sign()

@@ -2,9 +2,10 @@
 
 use egui::{ComboBox, Ui};
 
-use super::widgets::{NumberRow, section};
+use super::widgets::{NumberRow, note, section};
 use super::{Command, Look};
 use crate::physics::METHODS;
+use crate::physics::methods::LOSS_METHOD;
 
 /// Height of a list that shows every method without scrolling (points).
 const LONGEST: f32 = 420.0;
@@ -16,7 +17,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let combo = ComboBox::from_id_salt("method").width(ui.available_width()).height(LONGEST);
     let combo = combo.selected_text(scene.method.label);
     let shown = combo.show_ui(ui, |ui| {
-        for method in METHODS {
+        for method in METHODS.iter().filter(|method| !look.loses_energy() || method.name == LOSS_METHOD) {
             let row = ui.selectable_label(*method == *scene.method, method.label);
             if row.on_hover_text(method.source).clicked() {
                 commands.push(Command::SetMethod(method.name));
@@ -25,7 +26,11 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     });
     let label = format!("method: {}", scene.method.label);
     shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &label));
-    compare(ui, look, commands);
+    if look.loses_energy() {
+        note(ui, "The only method that knows energy loss; with none there are the others, too.");
+    } else {
+        compare(ui, look, commands);
+    }
     let mut milliseconds = scene.step * 1e3;
     let step = NumberRow {
         label: "step",
@@ -36,6 +41,17 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     };
     if step.ui(ui, &mut milliseconds, commands).changed() && milliseconds > 0.0 {
         commands.push(Command::SetStep(milliseconds * 1e-3));
+    }
+    let mut loss = scene.energy_loss;
+    let row = NumberRow {
+        label: "energy loss",
+        unit: "",
+        range: (0.0, 0.5),
+        logarithmic: Some(0.001),
+        hint: "Energy lost inside a body that is not quite rigid, at constant L: 0 for none, 0.02 in tens of turns",
+    };
+    if row.ui(ui, &mut loss, commands).changed() {
+        commands.push(Command::SetEnergyLoss(loss));
     }
 }
 

@@ -127,12 +127,20 @@ fn flips(ui: &mut Ui, look: &Look<'_>) {
                 let color = style::warning(ui.visuals().dark_mode);
                 ui.label(if is_soon { text.color(color) } else { text });
             }
+            None if look.loses_energy() => {
+                ui.label(large("flips are not predicted".to_owned()));
+            }
             None if look.timeline.first_flip.is_some() => {
                 ui.label(large("no flip comes any more".to_owned()));
             }
             None => {
                 ui.label(large("it does not flip".to_owned()));
             }
+        }
+        if look.loses_energy() {
+            let left = 100.0 * (1.0 + look.sim.energy_error());
+            ui.label(words(format!("energy is lost: {left:.1} % of K is left")));
+            return;
         }
         let start = &look.scene.start;
         let as_rounded = poinsot::classify(&look.scene.body, start.body_momentum);

@@ -34,7 +34,8 @@ impl NumberRow<'_> {
     /// past the ends of the slider numbers are kept.
     pub(super) fn ui(self, ui: &mut Ui, value: &mut f64, commands: &mut Vec<Command>) -> Response {
         let (low, high) = self.range;
-        let hint = format!("{} ({})", self.hint, self.unit.trim());
+        let unit = if self.unit.is_empty() { String::new() } else { format!(" ({})", self.unit.trim()) };
+        let hint = format!("{}{unit}", self.hint);
         ui.horizontal(|ui| {
             let label = ui
                 .allocate_ui_with_layout(

@@ -8,7 +8,7 @@ use super::sight::Sight;
 use super::{FigureOptions, Letters, fonts, marks};
 use crate::camera::{Camera, NEAR};
 use crate::frame::{Color, Frame, Pane, Walls};
-use crate::render::{self, Overlay, Pixels, PlacedText};
+use crate::render::{self, Pixels, PlacedText, ScreenLayer};
 
 /// The surfaces of a frame as pixels of the figure's size.
 #[derive(Debug, Default)]
@@ -57,7 +57,7 @@ fn is_hollow(pane: &Pane) -> bool {
 
 /// The figure of a frame.
 pub(super) fn draw(frame: &Frame, surfaces: &Surfaces, options: &FigureOptions) -> Drawing {
-    let overlays = render::overlays(frame, options.size);
+    let overlays = render::screen_layers(frame, options.size);
     let mut shapes = vec![];
     let base = (!frame.transparent).then_some(frame.background);
     shapes.extend(surfaces.below.as_ref().and_then(|pixels| picture(pixels, frame.transparent, base)));
@@ -116,7 +116,7 @@ impl<'a> View<'a> {
     }
 
     /// What lies on the screen before the pane.
-    fn overlay(&self, overlay: &Overlay, frame: &Frame, options: &FigureOptions, shapes: &mut Vec<Shape>) {
+    fn overlay(&self, overlay: &ScreenLayer, frame: &Frame, options: &FigureOptions, shapes: &mut Vec<Shape>) {
         let pixels = self.projection.pixels;
         // Places are pixels from the upper left corner.
         let scale = DMat4::from_scale(DVec3::new(2.0 / pixels.x, -2.0 / pixels.y, 0.0));

@@ -40,7 +40,7 @@ const NUMBERS: &[&str] = &[
 
 const PIECES: &[&str] = &[
     "\n", "[", "]", "[[", "]]", "=", ",", ".", "\"", "\"\"\"", "'", "#", "\0", "\u{feff}", "\r\n", "é", "[body]", "[spin]", "[motion]",
-    "[view]", "[[body.solids]]", "box", "moments", "inertia", "omega", "axis", "tilt_deg", "rate", "method", "step", "compare", "solids",
+    "[view]", "[[body.solids]]", "box", "moments", "inertia", "omega", "axis", "tilt_deg", "rate", "method", "step", "compare", "solids", "energy_loss", "[cloud]", "count", "spread_deg", "axes",
     "kind", "size", "show", "hide", "[[step]]", "\n[[step]]\n", "text = \"\"", "answer = 'x'", "time", "speed", "pause", "all", "a.b.c.d.e", "{a={a={a={a=1}}}}", "\\u0000", "\u{202e}",
 ];
 
@@ -132,7 +132,7 @@ fn scenes(random: &mut Random, count: usize) -> usize {
 
 const WORDS: &[&str] = &[
     "trace", "scenes", "methods", "flip", "t-handle", "nosuch", "--json", "--help", "--at", "--every", "--duration", "--box", "--moments",
-    "--inertia", "--omega", "--axis", "--tilt", "--rate", "--method", "--step", "--compare", "--mass", "-o", "-", "--", "--quiet", "exact-step",
+    "--inertia", "--omega", "--axis", "--tilt", "--rate", "--method", "--step", "--compare", "--mass", "--energy-loss", "0.02", "motion.energy_loss=1", "cloud.axes=[1,3]", "-o", "-", "--", "--quiet", "exact-step",
     "closed-form", "buss", "1,2,3", "0.1,0.2,0.3", "1,1,1,0,0,0", "-1,0,2", "1,nan,2", "inf,1,1", "1e-200,1e-200,1e-200", "1,1,1e300", "0,0,0",
     "2", "1", "0", "-5", "1e12", "1e-300", "nan", "é", "", "/dev/null", "/", ".", "💥", "--version", "--=", "-x", "--set", "spin.rate=3", "motion.compare=[]", "body.solids=[]", "spin=", "title=é", "#flip?spin.rate=8&time=1", "#scene=eJw", "#", "-o-", "--at=1,2,3",
 ];

@@ -43,6 +43,7 @@ pub struct Integration {
     start: State,
     step: f64,
     steps: i64,
+    energy_loss: f64,
     /// Two factors that take momenta of the stepper to kg m²/s.
     momentum_unit: [f64; 2],
     /// Two factors that take seconds to the units of the stepper.
@@ -69,12 +70,35 @@ impl Integration {
     /// Starts a method from a state with a fixed step (s, finite and above 0).
     #[must_use]
     pub fn new(method: &'static Method, body: &Body, start: State, step: f64) -> Self {
+        Self::with_energy_loss(method, body, start, step, 0.0)
+    }
+
+    /// The same with energy lost inside the body at constant L: `Ω_eff = Ω + (loss/ℓ) M×Ω`. The loss is a number without a unit, finite and not
+    /// negative. Only [`LOSS_METHOD`](super::LOSS_METHOD) knows it: with the others it is as if there were none.
+    ///
+    /// ```
+    /// use dzhanibekov::physics::{Body, Integration, State, method, methods::LOSS_METHOD};
+    /// use glam::{DMat3, DVec3};
+    ///
+    /// // A rod spun about its length ends about axis 3, where it turns I₁/I₃ times as fast.
+    /// let body = Body::from_moments(DVec3::new(0.2, 1.0, 1.1))?;
+    /// let start = State::new(&body, DMat3::IDENTITY, DVec3::new(10.0, 0.0, 0.1));
+    /// let method = method(LOSS_METHOD).expect("it is in the table");
+    /// let mut integration = Integration::with_energy_loss(method, &body, start, 0.01, 0.1);
+    /// let end = integration.state_at(200.0)?;
+    /// let slower = end.body_angular_velocity(&body).length() / start.body_angular_velocity(&body).length();
+    /// assert!((slower - 0.2 / 1.1).abs() < 1e-3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn with_energy_loss(method: &'static Method, body: &Body, start: State, step: f64, energy_loss: f64) -> Self {
         let exact = Start::new(body, &start);
         // The stepper's units are those of the start.
         let problem = Problem {
             moments: exact.rounded_moments(),
             momentum: exact.rounded_momentum(),
             start: Start { moment_exponent: 0, rate_exponent: 0, ..exact },
+            energy_loss,
         };
         let stepper = (method.start)(&problem);
         let body_from_stepper = body.body_from_principal() * stepper.principal_from_own();
@@ -84,6 +108,7 @@ impl Integration {
             start,
             step,
             steps: 0,
+            energy_loss,
             momentum_unit: power_of_two_of(exact.moment_exponent + exact.rate_exponent),
             units_from_seconds: power_of_two_of(exact.rate_exponent),
             stepper,
@@ -150,7 +175,7 @@ impl Integration {
         // Steps are not undone: what lies behind, or beyond the start, is reached from the start.
         let is_ahead = self.steps.signum() * target.signum() >= 0 && target.abs() >= self.steps.abs();
         if !is_ahead {
-            *self = Self::new(self.method, &self.body, self.start, self.step);
+            *self = Self::with_energy_loss(self.method, &self.body, self.start, self.step, self.energy_loss);
         }
         self.advance(target - self.steps)?;
         if is_whole {

@@ -60,6 +60,8 @@ pub struct Problem {
     pub momentum: DVec3,
     /// The same before rounding.
     pub(crate) start: Start,
+    /// Energy lost inside the body, as [`Integration::with_energy_loss`] has it; 0 for none.
+    pub energy_loss: f64,
 }
 
 /// Why a solver could not take its steps.
@@ -177,6 +179,9 @@ pub static METHODS: &[Method] = &[
 
 /// The method a scene has that names none.
 pub const DEFAULT_METHOD: &str = "exact-step";
+
+/// The method that knows energy loss. All others follow a body that loses none, and so do the exact motion and all that is predicted from it.
+pub const LOSS_METHOD: &str = "magnus4";
 
 /// Looks a method up by its name.
 #[must_use]
