@@ -10,11 +10,11 @@ use dzhanibekov::render::png::Remark;
 use dzhanibekov::render::{self, Gpu};
 use dzhanibekov::scene::{Scene, quoted};
 use dzhanibekov::sim::Simulation;
-use dzhanibekov::vector::Letters;
 use serde_json::json;
 
 use super::arguments::PictureArguments;
 use super::failure::{Failure, say};
+use super::figure::FigureArguments;
 use super::lists::{ListArguments, print, table};
 use super::output::check_place;
 use super::quiet_driver::keep_quiet;
@@ -35,6 +35,8 @@ pub(super) struct ShotArguments {
     /// File to write, or - for standard output
     #[arg(short, long, value_name = "FILE.png|.svg|.pdf|-")]
     output: PathBuf,
+    #[command(flatten)]
+    figure: FigureArguments,
     /// With the window's panel in the picture
     #[cfg(feature = "window")]
     #[arg(long, help_heading = "Picture", conflicts_with_all = ["transparent", "width", "height"])]
@@ -50,6 +52,14 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     let time = picture.time(&scene);
     check_place(&arguments.output)?;
     let format = format(&arguments.output)?;
+    arguments.figure.check(format, &arguments.output)?;
+    #[cfg(feature = "window")]
+    if arguments.panel && format.is_some() {
+        let output = arguments.output.display();
+        return Err(Failure::request(format!(
+            "--panel is drawn in pixels: give a name ending in .png instead of {output}"
+        )));
+    }
     let mut simulation = Simulation::new(&scene);
     if time != 0.0 {
         simulation.go_to(time);
@@ -71,10 +81,15 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
             .map_err(HeadlessError::from)?;
         return Ok(files::write(&arguments.output, &bytes)?);
     }
-    let (options, notes) = (options(picture), notes(picture, &scene, &words, time));
+    let (options, mut notes) = (options(picture), notes(picture, &scene, &words, time));
     let bytes = match format {
         None => draw(&gpu, &scene, &simulation, &options, &notes)?,
-        Some(format) => draw_figure(&gpu, &scene, &simulation, &options, Letters::Text, format, &notes)?,
+        Some(format) => {
+            for (_, text) in notes.iter_mut().filter(|(keyword, _)| *keyword == "Comment") {
+                *text = text.replace("-o picture.png", &arguments.figure.ending(format));
+            }
+            draw_figure(&gpu, &scene, &simulation, &options, arguments.figure.style(), format, &notes)?
+        }
     };
     Ok(files::write(&arguments.output, &bytes)?)
 }

@@ -8,6 +8,7 @@ mod gpu;
 mod labels;
 #[cfg(test)]
 mod layout_test;
+pub mod light;
 mod line;
 mod marker;
 mod mesh;

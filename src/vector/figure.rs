@@ -3,9 +3,11 @@
 use glam::{DMat4, DVec2, DVec3, Vec2};
 
 use super::drawing::{Drawing, Path, Picture, Shape, Words};
+use super::facets::{self, Facet};
 use super::lines::{self, Part, Projection};
+use super::shells::{self, Wall};
 use super::sight::Sight;
-use super::{FigureOptions, Letters, fonts, marks};
+use super::{FigureOptions, Letters, Shading, fonts, marks, sheets};
 use crate::camera::{Camera, NEAR};
 use crate::frame::{Color, Frame, Pane, Walls};
 use crate::render::{self, Pixels, PlacedText, ScreenLayer};
@@ -62,6 +64,7 @@ pub(super) fn draw(frame: &Frame, surfaces: &Surfaces, options: &FigureOptions) 
     let base = (!frame.transparent).then_some(frame.background);
     shapes.extend(surfaces.below.as_ref().and_then(|pixels| picture(pixels, frame.transparent, base)));
     let views: Vec<View<'_>> = frame.panes.iter().map(|pane| View::new(pane, frame, options)).collect();
+    let is_flat = options.style.shading == Shading::Flat;
     if let Some(pixels) = &surfaces.above {
         for view in views.iter().filter(|view| is_hollow(view.pane)) {
             view.group(view.lines(Part::Inside), &mut shapes);
@@ -69,7 +72,10 @@ pub(super) fn draw(frame: &Frame, surfaces: &Surfaces, options: &FigureOptions) 
         shapes.extend(picture(pixels, true, None));
     }
     for (view, overlay) in views.iter().zip(&overlays) {
-        let mut drawn = if is_hollow(view.pane) { vec![] } else { view.lines(Part::Hidden) };
+        let mut drawn = if is_flat { view.surfaces() } else { vec![] };
+        if !is_hollow(view.pane) {
+            drawn.extend(view.lines(Part::Hidden));
+        }
         drawn.extend(view.lines(Part::Seen));
         marks::draw(&view.pane.markers, &view.sight, view.across, &view.projection, &mut drawn);
         view.overlay(overlay, frame, options, &mut drawn);
@@ -115,6 +121,30 @@ impl<'a> View<'a> {
         shapes
     }
 
+    /// The surfaces as areas, and of hollow ones the lines within.
+    fn surfaces(&self) -> Vec<Shape> {
+        let (pane, projection) = (self.pane, &self.projection);
+        let mut shapes = vec![];
+        sheets::draw(pane, projection, false, &mut shapes);
+        shells::draw(pane, projection, Wall::Far, &mut shapes);
+        let facets = facets::facets(pane, &self.sight, projection);
+        let eye = pane.camera.eye().as_dvec3();
+        // Of what is within walls some may stand out of them: the walls are not before that.
+        let cut = facets.into_iter().flat_map(|facet| facet.cut_at_walls(&self.sight, eye, projection));
+        let facets: Vec<Facet> = cut.collect();
+        shapes.extend(facets.iter().map(Facet::shape));
+        if is_hollow(pane) {
+            shapes.extend(self.lines(Part::Inside));
+        }
+        let walls = shapes.len();
+        shells::draw(pane, projection, Wall::Near, &mut shapes);
+        if shapes.len() > walls {
+            shapes.extend(facets.iter().filter(|facet| facet.stands_out_of_walls(&self.sight)).map(Facet::shape));
+        }
+        sheets::draw(pane, projection, true, &mut shapes);
+        shapes
+    }
+
     /// What lies on the screen before the pane.
     fn overlay(&self, overlay: &ScreenLayer, frame: &Frame, options: &FigureOptions, shapes: &mut Vec<Shape>) {
         let pixels = self.projection.pixels;
@@ -134,11 +164,11 @@ impl<'a> View<'a> {
         for (reach, strength) in [(halos[1].0, outer), (halos[0].0, inner)] {
             for text in &overlay.texts {
                 let color = frame.background.alpha(strength * text.color.0[3]);
-                self.words(text, Some(f64::from(reach)), color, options.letters, shapes);
+                self.words(text, Some(f64::from(reach)), color, options.style.letters, shapes);
             }
         }
         for text in &overlay.texts {
-            self.words(text, None, text.color, options.letters, shapes);
+            self.words(text, None, text.color, options.style.letters, shapes);
         }
     }
 

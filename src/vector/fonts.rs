@@ -202,3 +202,45 @@ fn outline(font: &FontRef<'_>, letter: &Letter) -> Path {
     }
     Path(steps)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::UsedFont;
+    use crate::camera::Camera;
+    use crate::frame::{Area, Color, Frame, Note, Pane};
+    use crate::render::{Letter, TYPEFACES, screen_layers};
+    use ab_glyph::{Font, FontRef, InvalidFont};
+
+    fn letters(text: &str) -> Vec<Letter> {
+        let mut pane = Pane::new(Area::WHOLE, Camera::new(0.0, 0.0, 5.0), 0.0);
+        pane.notes.push(Note { text: text.to_owned(), size: 20.0, color: Color::hex(0), swatch: None });
+        let frame = Frame { background: Color::hex(0), transparent: false, font_scale: 1.0, panes: vec![pane] };
+        screen_layers(&frame, [1280, 720])
+            .into_iter()
+            .flat_map(|layer| layer.texts)
+            .flat_map(|text| text.letters)
+            .collect()
+    }
+
+    #[test]
+    fn fonts_of_a_figure_hold_its_letters_and_little_else() -> Result<(), InvalidFont> {
+        // The arrow is of the second typeface; the index is a small 3.
+        let letters = letters("ωM₃ = 0.5·10⁻² → ω");
+        let fonts = UsedFont::all(letters.iter());
+        assert_eq!(fonts.iter().map(|font| font.number).collect::<Vec<_>>(), [0, 1]);
+        for used in &fonts {
+            let bytes = used.for_browsers().unwrap_or_default();
+            assert!(bytes.len() < 20_000, "{} bytes", bytes.len());
+            let (cut_out, whole) = (FontRef::try_from_slice(&bytes)?, FontRef::try_from_slice(TYPEFACES[used.number])?);
+            for letter in letters.iter().filter(|letter| letter.font == used.number) {
+                let (new, old) = (cut_out.glyph_id(letter.character), whole.glyph_id(letter.character));
+                assert_eq!((new.0, old.0), (used.glyph(letter.glyph), letter.glyph), "{}", letter.character);
+                assert_eq!(cut_out.h_advance_unscaled(new), whole.h_advance_unscaled(old));
+                let curves = |font: &FontRef<'_>, id| font.outline(id).map_or(0, |outline| outline.curves.len());
+                assert_eq!(curves(&cut_out, new), curves(&whole, old), "{}", letter.character);
+            }
+            assert_eq!(cut_out.glyph_id('Q').0, 0);
+        }
+        Ok(())
+    }
+}

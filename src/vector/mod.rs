@@ -4,13 +4,18 @@
 //! What is drawn and where is the picture's: the same frame, the same places of labels, the same order.
 
 mod drawing;
+mod facets;
 mod figure;
 mod fonts;
 mod lines;
 mod marks;
 mod metadata;
 mod pdf;
+mod sheets;
+mod shells;
 mod sight;
+#[cfg(test)]
+mod sight_test;
 mod svg;
 
 use crate::frame::Frame;
@@ -29,6 +34,25 @@ pub enum Letters {
     Outlines,
 }
 
+/// How shaded surfaces are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shading {
+    /// As pixels, beneath the lines.
+    #[default]
+    Pixels,
+    /// As areas of one colour or a gradient: all is vectors.
+    Flat,
+}
+
+/// How a figure is written, whatever its size.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FigureStyle {
+    /// Its texts.
+    pub letters: Letters,
+    /// Its surfaces.
+    pub shading: Shading,
+}
+
 /// What a figure is to be like, besides its frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FigureOptions {
@@ -38,8 +62,8 @@ pub struct FigureOptions {
     pub paper: Option<[f64; 2]>,
     /// Width of the thinnest line that is written (pixels).
     pub thinnest: f64,
-    /// How texts are written.
-    pub letters: Letters,
+    /// How it is written.
+    pub style: FigureStyle,
 }
 
 /// A frame as SVG, over its surfaces drawn as pixels. The remarks are kept in its metadata (see [`read_remarks`]).

@@ -95,6 +95,25 @@ impl Sight {
         merged(hidden)
     }
 
+    /// The parameters between which walls are before a straight piece.
+    pub(super) fn behind_walls(&self, from: DVec3, to: DVec3) -> Vec<[f64; 2]> {
+        let mut parts = vec![];
+        for hull in &self.hulls {
+            hull.hides(from - self.eye, to - from, 1.0, &mut parts);
+        }
+        merged(parts)
+    }
+
+    /// Whether a wall is before a place.
+    pub(super) fn is_behind_walls(&self, place: DVec3) -> bool {
+        self.hulls.iter().any(|hull| hull.is_before(place - self.eye, 1.0))
+    }
+
+    /// Whether the ray of a place meets any wall, before it or behind.
+    pub(super) fn is_within_walls(&self, place: DVec3) -> bool {
+        self.hulls.iter().any(|hull| hull.is_met(place - self.eye))
+    }
+
     /// Whether a place is hidden that is drawn this far towards the eye beyond the pane's own lift.
     pub(super) fn hides(&self, place: DVec3, lift: f64) -> bool {
         let p = place - self.eye;
@@ -147,6 +166,13 @@ impl Hull {
     fn new(quadric: &Quadric, eye: DVec3) -> Self {
         let unit_from_world = quadric.unit_from_world.as_dmat4();
         Self { unit_from_world, eye: unit_from_world.transform_point3(eye) }
+    }
+
+    /// Whether the ray of a place p, seen from the eye, meets it.
+    fn is_met(&self, p: DVec3) -> bool {
+        let d = self.unit_from_world.transform_vector3(p);
+        let (a, b, c) = (d.length_squared(), self.eye.dot(d), self.eye.length_squared() - 1.0);
+        c <= 0.0 || b < 0.0 && b * b > a * c
     }
 
     /// Whether its near wall lies before a place p, seen from the eye.
