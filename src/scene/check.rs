@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
+use super::step::steps;
 use super::value::shortened;
 use super::{CameraFile, Cloud, Part, PartKind, SceneFile, SpinFile, StepFile, View, ViewFile, nearest, parts};
 use crate::physics::{
@@ -16,13 +17,13 @@ const DEFAULT_STEP: f64 = 0.001;
 /// Slowest and fastest that time runs.
 pub const SPEEDS: (f64, f64) = (1.0 / 64.0, 8.0);
 /// What is refused of the cameras.
-const WORLD_CAMERA: [&str; 4] = [
+pub(super) const WORLD_CAMERA: [&str; 4] = [
     "azimuth of the world's camera",
     "elevation of the world's camera",
     "distance of the world's camera",
     "target of the world's camera",
 ];
-const BODY_CAMERA: [&str; 4] = [
+pub(super) const BODY_CAMERA: [&str; 4] = [
     "azimuth of momentum space's camera",
     "elevation of momentum space's camera",
     "distance of momentum space's camera",
@@ -140,15 +141,6 @@ pub enum SceneError {
     TooFast(f64),
 }
 
-/// How many steps a scene has, in words.
-fn steps(count: usize) -> String {
-    match count {
-        0 => "this scene has no steps".to_owned(),
-        1 => "this scene has one step, number 1".to_owned(),
-        count => format!("this scene has the steps 1 to {count}"),
-    }
-}
-
 impl Scene {
     /// Checks a scene and works out its body and start, to be shown as a whole.
     ///
@@ -167,7 +159,7 @@ impl Scene {
         if let Some(step) = at.filter(|step| *step >= count) {
             return Err(SceneError::NoSuchStep { given: step.wrapping_add(1), count });
         }
-        file.steps.iter().try_for_each(check_step)?;
+        file.steps.iter().try_for_each(StepFile::check)?;
         check_view(&file.view)?;
         let (body, parts) = check_body(file)?;
         let start = check_start(file, &body)?;
@@ -288,18 +280,6 @@ fn check_attitude(attitude: Option<[f64; 4]>) -> Result<DMat3, SceneError> {
     Ok(DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize()))
 }
 
-fn check_step(step: &StepFile) -> Result<(), SceneError> {
-    check_camera(&step.world_camera, WORLD_CAMERA)?;
-    check_camera(&step.body_camera, BODY_CAMERA)?;
-    step.time.map_or(Ok(0.0), |time| finite("time of a step", time))?;
-    let speed = step.speed.unwrap_or(1.0);
-    if !(SPEEDS.0..=SPEEDS.1).contains(&speed.abs()) {
-        let wanted = "between 1/64 and 8, with a minus to run backwards";
-        return Err(SceneError::OutOfRange { name: "speed of a step", value: speed, wanted });
-    }
-    Ok(())
-}
-
 fn check_view(view: &ViewFile) -> Result<View, SceneError> {
     let both = CameraFile {
         azimuth_deg: view.azimuth_deg,
@@ -332,7 +312,7 @@ fn check_view(view: &ViewFile) -> Result<View, SceneError> {
 }
 
 /// Checks a camera whose azimuth, elevation, distance and target have these names.
-fn check_camera(camera: &CameraFile, names: [&'static str; 4]) -> Result<(), SceneError> {
+pub(super) fn check_camera(camera: &CameraFile, names: [&'static str; 4]) -> Result<(), SceneError> {
     let [azimuth, elevation, distance, target] = names;
     for (name, value) in [(azimuth, camera.azimuth_deg), (elevation, camera.elevation_deg)] {
         value.map_or(Ok(0.0), |value| finite(name, value))?;
@@ -344,7 +324,7 @@ fn check_camera(camera: &CameraFile, names: [&'static str; 4]) -> Result<(), Sce
     Ok(())
 }
 
-fn finite(name: &'static str, value: f64) -> Result<f64, SceneError> {
+pub(super) fn finite(name: &'static str, value: f64) -> Result<f64, SceneError> {
     if value.is_finite() { Ok(value) } else { Err(SceneError::OutOfRange { name, value, wanted: "a finite number" }) }
 }
 

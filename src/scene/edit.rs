@@ -258,6 +258,8 @@ mod tests {
         for words in [["--compare", ""], ["--set", "motion.compare=[]"], ["--set", "motion.compare="]] {
             assert!(over(&methods, &words)?.motion.compare.is_empty(), "{words:?}");
         }
+        let flip = preset("flip")?.read()?;
+        assert!(!flip.steps.is_empty() && over(&flip, &["--set", "step=[]"])?.steps.is_empty());
         assert_eq!(over(&methods, &["--set", "body="])?.body, BodyFile::default());
         assert_eq!(over(&methods, &["--set", "spin.rate="])?.spin.rate, None);
         let seen = over(&methods, &["--world-camera", "1,2,3,4,5,6"])?;

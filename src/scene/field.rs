@@ -280,7 +280,11 @@ impl<T: Single> Field for Vec<T> {
     }
     fn read(item: &Item) -> Result<Self, Refused> {
         let parts = array(item)?;
-        if parts.is_empty() && T::MANY != Kind::Names { Err(Refused::other(item)) } else { Ok(parts) }
+        if parts.is_empty() && !matches!(T::MANY, Kind::Names | Kind::Steps) {
+            Err(Refused::other(item))
+        } else {
+            Ok(parts)
+        }
     }
 }
 

@@ -35,6 +35,6 @@ pub use keys::{Flag, KEYS, Key, SOLID_KEYS, STEP_KEYS, key};
 pub use nearest::nearest;
 pub use parts::{Part, PartKind};
 pub use presets::{DEFAULT_PRESET, Preset, preset, presets};
-pub use step::{ALL, Pace, StepFile};
+pub use step::{ALL, Pace, StepFile, Written};
 pub use value::{Entry, Item, Value};
 pub use view::{Layout, Theme, TimeUnit, View};

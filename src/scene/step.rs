@@ -1,6 +1,7 @@
 //! A scene told step by step: what each step says, and how the scene is looked at once it is reached.
 
-use super::{CameraFile, Layout, SceneFile, ViewFile};
+use super::check::{BODY_CAMERA, SPEEDS, WORLD_CAMERA, check_camera, finite};
+use super::{CameraFile, Layout, SceneError, SceneFile, ViewFile};
 
 /// The name that stands for every object in a list of those shown or hidden.
 pub const ALL: &str = "all";
@@ -41,7 +42,31 @@ pub struct Pace {
     pub is_paused: bool,
 }
 
+/// Where what is seen at a step is written: what both a step and the scene before its first can say.
+#[derive(Debug)]
+pub struct Written<'a> {
+    /// Objects shown.
+    pub show: &'a mut Vec<String>,
+    /// Objects hidden.
+    pub hide: &'a mut Vec<String>,
+    /// Which spaces are shown.
+    pub layout: &'a mut Option<Layout>,
+    /// Whether the clock slows round each flip.
+    pub slow_at_flip: &'a mut Option<bool>,
+}
+
 impl SceneFile {
+    /// Where a change seen from this step on is written: in the step, or in the scene as a whole where it is none.
+    pub fn written_at(&mut self, step: Option<usize>) -> Written<'_> {
+        if let Some(step) = step.and_then(|step| self.steps.get_mut(step)) {
+            let StepFile { show, hide, layout, slow_at_flip, .. } = step;
+            Written { show, hide, layout, slow_at_flip }
+        } else {
+            let ViewFile { show, hide, layout, slow_at_flip, .. } = &mut self.view;
+            Written { show, hide, layout, slow_at_flip }
+        }
+    }
+
     /// The steps up to this one, counted from 0; none before the first.
     fn steps_to(&self, step: Option<usize>) -> &[StepFile] {
         let count = step.map_or(0, |step| step + 1).min(self.steps.len());
@@ -90,6 +115,19 @@ impl SceneFile {
 }
 
 impl StepFile {
+    /// Checks what it says, but for the names of objects.
+    pub(super) fn check(&self) -> Result<(), SceneError> {
+        check_camera(&self.world_camera, WORLD_CAMERA)?;
+        check_camera(&self.body_camera, BODY_CAMERA)?;
+        self.time.map_or(Ok(0.0), |time| finite("time of a step", time))?;
+        let speed = self.speed.unwrap_or(1.0);
+        if !(SPEEDS.0..=SPEEDS.1).contains(&speed.abs()) {
+            let wanted = "between 1/64 and 8, with a minus to run backwards";
+            return Err(SceneError::OutOfRange { name: "speed of a step", value: speed, wanted });
+        }
+        Ok(())
+    }
+
     /// Says what it says over the settings of a view.
     fn change(&self, view: &mut ViewFile) {
         // Names of their own go before that of all.
@@ -124,6 +162,15 @@ fn name(names: &[String], is_all: bool, list: &mut Vec<String>, opposite: &mut V
         if !list.contains(name) {
             list.push(name.clone());
         }
+    }
+}
+
+/// How many steps a scene has, in words.
+pub(super) fn steps(count: usize) -> String {
+    match count {
+        0 => "this scene has no steps".to_owned(),
+        1 => "this scene has one step, number 1".to_owned(),
+        count => format!("this scene has the steps 1 to {count}"),
     }
 }
 

@@ -37,10 +37,7 @@ impl Session {
     pub(super) fn toggle_slow(&mut self) {
         let is_slow = !self.scene.view.slow_at_flip;
         let at = self.scene.at;
-        self.edit(|file| match at.and_then(|step| file.steps.get_mut(step)) {
-            Some(step) => step.slow_at_flip = Some(is_slow),
-            None => file.view.slow_at_flip = Some(is_slow),
-        });
+        self.edit(|file| *file.written_at(at).slow_at_flip = Some(is_slow));
         self.say(if is_slow { "Slow motion at each flip." } else { "No slow motion." });
     }
 

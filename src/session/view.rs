@@ -26,10 +26,7 @@ impl Session {
     /// Shows these spaces: at a step from there on.
     pub(super) fn set_layout(&mut self, layout: Layout) {
         let at = self.scene.at;
-        self.edit(|file| match at.and_then(|step| file.steps.get_mut(step)) {
-            Some(step) => step.layout = Some(layout),
-            None => file.view.layout = Some(layout),
-        });
+        self.edit(|file| *file.written_at(at).layout = Some(layout));
     }
 
     /// Opens the answer, or closes it again.
@@ -46,20 +43,14 @@ impl Session {
         let Some(object) = objects::object_named(name) else { return };
         let at = self.scene.at;
         self.edit(|file| {
-            let (show, hide) = match at.and_then(|step| file.steps.get_mut(step)) {
-                Some(step) => (&mut step.show, &mut step.hide),
-                None => (&mut file.view.show, &mut file.view.hide),
-            };
-            show.retain(|shown| shown != name);
-            hide.retain(|hidden| hidden != name);
+            let written = file.written_at(at);
+            written.show.retain(|shown| shown != name);
+            written.hide.retain(|hidden| hidden != name);
             // Named only where it would be otherwise without.
             let Ok(without) = objects::check_at(file, at) else { return };
             if objects::is_shown(object, &without.view) != is_shown {
-                let lists = match at.and_then(|step| file.steps.get_mut(step)) {
-                    Some(step) => (&mut step.show, &mut step.hide),
-                    None => (&mut file.view.show, &mut file.view.hide),
-                };
-                if is_shown { lists.0 } else { lists.1 }.push(name.to_owned());
+                let written = file.written_at(at);
+                if is_shown { written.show } else { written.hide }.push(name.to_owned());
             }
         });
     }
