@@ -4,6 +4,7 @@ use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use dzhanibekov::headless::FigureFormat;
+use dzhanibekov::render::png::Remark;
 use dzhanibekov::vector::{FigureStyle, Letters, Shading};
 
 use super::failure::Failure;
@@ -46,9 +47,12 @@ impl FigureArguments {
         }
     }
 
-    /// How a command line ends that writes such a figure.
-    pub(super) fn ending(&self, format: FigureFormat) -> String {
-        [self.words(), vec![format!("-o picture.{}", format.ending())]].concat().join(" ")
+    /// Has a figure's remarks, which are those of a picture, say how it is drawn again.
+    pub(super) fn mark(&self, format: FigureFormat, remarks: &mut [Remark]) {
+        let ending = [self.words(), vec![format!("-o picture.{}", format.ending())]].concat().join(" ");
+        for (_, text) in remarks.iter_mut().filter(|(keyword, _)| *keyword == "Comment") {
+            *text = text.replace("-o picture.png", &ending);
+        }
     }
 
     /// The words of a command line that say it.

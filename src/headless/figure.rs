@@ -47,20 +47,32 @@ pub fn figure(
     remarks: &[Remark],
 ) -> Result<Vec<u8>, HeadlessError> {
     let frame = options.frame(scene, simulation, &Cameras::new(&scene.view));
+    figure_of(gpu, &frame, options.size, style, format, remarks)
+}
+
+/// The same of a frame for figures of this size.
+pub(super) fn figure_of(
+    gpu: &Gpu,
+    frame: &Frame,
+    size: PictureSize,
+    style: FigureStyle,
+    format: FigureFormat,
+    remarks: &[Remark],
+) -> Result<Vec<u8>, HeadlessError> {
     let surfaces = match style.shading {
-        Shading::Pixels => surfaces(gpu, &frame, options)?,
+        Shading::Pixels => surfaces(gpu, frame, size)?,
         Shading::Flat => Surfaces::default(),
     };
-    let options = figure_options(options.size, style);
+    let options = figure_options(size, style);
     Ok(match format {
-        FigureFormat::Svg => vector::svg(&frame, &surfaces, &options, remarks)?.into_bytes(),
-        FigureFormat::Pdf => vector::pdf(&frame, &surfaces, &options, remarks)?,
+        FigureFormat::Svg => vector::svg(frame, &surfaces, &options, remarks)?.into_bytes(),
+        FigureFormat::Pdf => vector::pdf(frame, &surfaces, &options, remarks)?,
     })
 }
 
 /// The surfaces of a frame, drawn.
-fn surfaces(gpu: &Gpu, frame: &Frame, options: &ShotOptions) -> Result<Surfaces, HeadlessError> {
-    let mut studio = Studio::new(gpu, options.size.pixels)?;
+fn surfaces(gpu: &Gpu, frame: &Frame, size: PictureSize) -> Result<Surfaces, HeadlessError> {
+    let mut studio = Studio::new(gpu, size.pixels)?;
     let mut drawn = |frame: Option<Frame>| frame.map(|frame| studio.draw(&frame)).transpose();
     let [below, above] = vector::surfaces(frame);
     Ok(Surfaces { below: drawn(below)?, above: drawn(above)? })

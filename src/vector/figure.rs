@@ -198,8 +198,14 @@ impl<'a> View<'a> {
                 path.points().all(|at| (at - rim).cmpge(low).all() && (at + rim).cmple(high).all())
             }
             Shape::Fill { path, .. } => path.points().all(|at| at.cmpge(low).all() && at.cmple(high).all()),
-            // Labels are placed inside.
-            Shape::Picture(_) | Shape::Words(_) | Shape::Group { .. } => true,
+            // An em round each pen, and the halo, hold its letter.
+            Shape::Words(words) => words.letters.iter().all(|letter| {
+                let (pen, em) = (DVec2::new(letter.pen[0].into(), letter.pen[1].into()), f64::from(letter.em));
+                let halo = words.halo.unwrap_or_default();
+                (pen - DVec2::new(0.1 * em, em) - halo).cmpge(low).all()
+                    && (pen + DVec2::new(em, 0.3 * em) + halo).cmple(high).all()
+            }),
+            Shape::Picture(_) | Shape::Group { .. } => true,
         };
         if drawn.iter().all(is_inside) {
             shapes.extend(drawn);

@@ -2,7 +2,7 @@
 //!
 //! Each remark is one element of the namespace [`NAMESPACE`], named by its keyword: `<dz:Comment>…</dz:Comment>`, its text with
 //! `&`, `<` and `>` escaped and nothing else changed. An SVG has the description in its `<metadata>`, a PDF in the document's
-//! metadata stream, which is never compressed: [`read_remarks`] finds either by looking through the bytes.
+//! metadata stream, which is never compressed: looking through the bytes finds it, as `scene::carried` does.
 
 use std::fmt::Write as _;
 
@@ -31,42 +31,21 @@ pub(super) fn packet(remarks: &[Remark]) -> String {
     )
 }
 
-/// The remarks in the bytes of a figure, in order; none where it has none.
-#[must_use]
-pub fn read_remarks(bytes: &[u8]) -> Vec<(String, String)> {
-    let text = String::from_utf8_lossy(bytes);
-    let Some((_, rest)) = text.split_once(&format!("xmlns:dz=\"{NAMESPACE}\"")) else { return vec![] };
-    let inside = rest.split_once("</rdf:Description>").map_or(rest, |(inside, _)| inside);
-    let mut remarks = vec![];
-    let mut rest = inside;
-    while let Some((_, after)) = rest.split_once("<dz:") {
-        let Some((keyword, after)) = after.split_once('>') else { break };
-        let Some((value, after)) = after.split_once(&format!("</dz:{keyword}>")) else { break };
-        remarks.push((keyword.to_owned(), unescaped(value)));
-        rest = after;
-    }
-    remarks
-}
-
 /// Text as XML holds it.
 pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-fn unescaped(text: &str) -> String {
-    text.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&apos;", "'").replace("&amp;", "&")
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{description, read_remarks};
+    use super::packet;
 
     #[test]
-    fn remarks_come_back_as_they_were_said() {
-        let said = [("Title", "a < b & \"c\" > ω\nover lines".to_owned()), ("Comment", "&lt;".to_owned())];
-        let read = read_remarks(format!("before{}after", description(&said)).as_bytes());
-        let expected: Vec<_> = said.iter().map(|(keyword, text)| ((*keyword).to_owned(), text.clone())).collect();
-        assert_eq!(read, expected);
-        assert_eq!(read_remarks(b"nothing"), []);
+    fn remarks_are_said_as_they_are_but_for_what_markup_takes() {
+        let said =
+            packet(&[("Scene", "#flip?a&b".to_owned()), ("Comment", "a < b > &lt; \"ω\"\nover lines".to_owned())]);
+        let expected =
+            "<dz:Scene>#flip?a&amp;b</dz:Scene>\n<dz:Comment>a &lt; b &gt; &amp;lt; \"ω\"\nover lines</dz:Comment>\n";
+        assert!(said.contains(expected), "{said}");
     }
 }

@@ -22,7 +22,6 @@ use crate::frame::Frame;
 use crate::render::png::{EncodingError, Remark};
 
 pub use figure::{Surfaces, surfaces};
-pub use metadata::read_remarks;
 
 /// How texts are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -66,7 +65,7 @@ pub struct FigureOptions {
     pub style: FigureStyle,
 }
 
-/// A frame as SVG, over its surfaces drawn as pixels. The remarks are kept in its metadata (see [`read_remarks`]).
+/// A frame as SVG, over its surfaces drawn as pixels. The remarks are kept in its metadata.
 ///
 /// # Errors
 /// None but for pixels that cannot be encoded.
