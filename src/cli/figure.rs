@@ -30,7 +30,7 @@ enum Surfaces {
 /// Flags of `shot` for SVG and PDF.
 #[derive(Args, Debug)]
 pub(super) struct FigureArguments {
-    /// Of an SVG or a PDF: its texts as text, with the fonts in the file, or as outlines
+    /// Of an SVG or a PDF: its texts as text, with the fonts in the file, or as outlines, for programs that read none from an SVG
     #[arg(long, value_name = "text|outlines", hide_possible_values = true, help_heading = "Picture")]
     text: Option<Texts>,
     /// Of an SVG or a PDF: its shaded surfaces as pixels beneath the lines, or as flat areas, so that all is vectors
