@@ -53,7 +53,8 @@ fn flips(scene: &Scene, duration: f64) -> Vec<f64> {
         poinsot::next_flip_of(&scene.body, &scene.start).expect("it flips"),
         poinsot::flip_period_of(&scene.body, &scene.start).expect("it flips"),
     );
-    let times: Vec<f64> = (0..).map(|n| first + every * f64::from(n)).take_while(|time| *time < duration).collect();
+    let times: Vec<f64> =
+        (0..1_000).map(|n| first + every * f64::from(n)).take_while(|time| *time < duration).collect();
     let exact = exact(scene);
     for time in &times {
         let middle = |time: f64| principal(scene, exact.momentum(time)).y;
@@ -116,7 +117,8 @@ fn racket_and_phone_roll_by_half_a_turn_while_they_go_round_once() {
         let from = (handle(0.0) - up * handle(0.0).dot(up)).normalize();
         let round = |time: f64| handle(time).dot(up.cross(from)).atan2(handle(time).dot(from));
         // When it has gone round once: a little before, it comes from below.
-        let once = (1..).map(|n| 0.0005 * f64::from(n)).find(|time| round(time - 0.0005) < 0.0 && round(*time) >= 0.0);
+        let once =
+            (1..10_000).map(|n| 0.0005 * f64::from(n)).find(|time| round(time - 0.0005) < 0.0 && round(*time) >= 0.0);
         angle(exact.attitude(once.expect("it goes round")).z_axis, exact.attitude(0.0).z_axis)
     };
     let racket = scene_that_says("racket", &["nearly half a turn", "About its handle, axis 1"]);
@@ -352,7 +354,7 @@ fn the_flow_is_of_centres_and_saddles() {
     let flow =
         |direction: DVec3| principal(&scene, motion::momentum_rate(body, body.body_from_principal() * direction));
     for n in 0..12 {
-        let (sin, cos) = (f64::from(n) * 0.5236).sin_cos();
+        let (sin, cos) = (f64::from(n) * std::f64::consts::FRAC_PI_6).sin_cos();
         for end in [-1.0, 1.0] {
             for (axis, sign) in [(0, -1.0), (2, 1.0)] {
                 let outward = DVec3::AXES[axis] * end;
