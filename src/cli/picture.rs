@@ -38,6 +38,10 @@ pub(super) struct ShotArguments {
     #[cfg(feature = "window")]
     #[arg(long, help_heading = "Picture", conflicts_with_all = ["transparent", "width", "height"])]
     panel: bool,
+    /// As the window is in presenter's mode: large words, a slim strip and no panel
+    #[cfg(feature = "window")]
+    #[arg(long, help_heading = "Picture", conflicts_with_all = ["panel", "transparent", "width", "height"])]
+    presenter: bool,
 }
 
 /// `shot`: everything that can be refused is refused before anything is drawn.
@@ -58,13 +62,13 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     }
     let gpu = open(picture)?;
     #[cfg(feature = "window")]
-    if arguments.panel {
+    if arguments.panel || arguments.presenter {
         let options = options(picture);
         let mut notes = notes(picture, &scene, &words, time);
         if let Some((_, command)) = notes.last_mut() {
-            command.push_str(" --panel");
+            command.push_str(if arguments.presenter { " --presenter" } else { " --panel" });
         }
-        let pixels = dzhanibekov::app::with_panels(&gpu, scene, time, options.size.pixels)
+        let pixels = dzhanibekov::app::with_panels(&gpu, scene, time, options.size.pixels, arguments.presenter)
             .map_err(|error| Failure::could_not(error.to_string()))?;
         let bytes = render::png::encode_marked(&pixels, false, &notes, options.size.pixels_per_metre())
             .map_err(HeadlessError::from)?;
