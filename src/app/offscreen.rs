@@ -35,7 +35,7 @@ pub fn with_panels(
     let zoom = zoom(wide, high, font_scale, presenting);
     context.set_zoom_factor(zoom);
     let mut panels = Panels::default();
-    let canvas = Canvas::new(gpu, [width, height]);
+    let canvas = Canvas::whole(gpu, [width, height]);
     // The panels' renderer ends the program on a device that is lost.
     gpu.check()?;
     let mut panels_painter = egui_wgpu::Renderer::new(&gpu.device, FORMAT, egui_wgpu::RendererOptions::PREDICTABLE);
