@@ -173,7 +173,7 @@ impl OpenWindow {
             self.window.set_title(&title);
             self.title = title;
         }
-        self.scale_text(session.text_size());
+        self.scale_text(session.text_size(), session.is_presenting());
         let input = self.egui.take_egui_input(&self.window);
         let fullscreen = self.window.fullscreen().is_some();
         let around = Around { title: &self.title, real_time_factor, fullscreen };
@@ -194,9 +194,9 @@ impl OpenWindow {
     }
 
     /// Legible from the last row at any resolution.
-    fn scale_text(&self, text_size: f32) {
+    fn scale_text(&self, text_size: f32, presenting: bool) {
         let size = self.window.inner_size().to_logical::<f32>(self.window.scale_factor());
-        self.stage.context().set_zoom_factor(stage::zoom(size.width, size.height, text_size));
+        self.stage.context().set_zoom_factor(stage::zoom(size.width, size.height, text_size, presenting));
     }
 
     /// Writes the picture as it is, as large as the window; says where.

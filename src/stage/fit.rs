@@ -9,10 +9,12 @@ pub const SMALLEST: [f32; 2] = [640.0, 400.0];
 const SMALLEST_PAGE: f32 = 320.0;
 
 /// How much larger than usual the panels are in a window of this size (points): they grow with the window, as what is
-/// projected does, by the user's own factor too, and never past what leaves room for them.
+/// projected does, by the user's own factor too, and never past what leaves room for them. A presenter's words are as large a
+/// part of any window.
 #[must_use]
-pub fn zoom(width: f32, height: f32, own: f32) -> f32 {
-    let grown = (width / 1280.0).min(height / 720.0).max(1.0).powf(0.7) * own;
+pub fn zoom(width: f32, height: f32, own: f32, presenting: bool) -> f32 {
+    let power = if presenting { 1.0 } else { 0.7 };
+    let grown = (width / 1280.0).min(height / 720.0).max(1.0).powf(power) * own;
     grown.min(width / SMALLEST[0]).min(height / SMALLEST[1]).max(0.4)
 }
 
@@ -35,9 +37,9 @@ pub(super) fn place(picture: egui::Rect, pixels_per_point: f32, window: (u32, u3
 
 /// The same on a page, which may be smaller than any window: a screen in the hand has points as large as its own.
 #[must_use]
-pub fn zoom_on_page(width: f32, height: f32, own: f32) -> f32 {
+pub fn zoom_on_page(width: f32, height: f32, own: f32, presenting: bool) -> f32 {
     if width >= SMALLEST[0] && height >= SMALLEST[1] {
-        return zoom(width, height, own);
+        return zoom(width, height, own, presenting);
     }
     own.min(width.min(height) / SMALLEST_PAGE).max(0.4)
 }

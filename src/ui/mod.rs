@@ -11,11 +11,13 @@ mod look;
 mod method;
 pub mod numbers;
 mod picture;
+mod presenter;
 mod readouts;
 mod save;
 mod slide;
 mod spin;
 pub mod style;
+mod time_field;
 mod timeline;
 mod transport;
 mod viewport;
@@ -26,6 +28,7 @@ use egui::{ComboBox, Frame, Margin, Panel, Rect, RichText, ScrollArea, Ui};
 pub use command::{Command, Pixels};
 pub use keys::path_in;
 pub use look::{Front, Look, Preview, Shown};
+pub use presenter::LARGER;
 pub use spin::Spin;
 pub use timeline::Timeline;
 pub use transport::SPEED_POWERS;
@@ -56,10 +59,11 @@ const PICTURE_SHARE: f32 = 0.45;
 const CHARTS_HEIGHT: (f32, f32) = (110.0, 190.0);
 
 /// All panels.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Panels {
     charts: charts::Charts,
     viewport: viewport::Viewport,
+    time_field: time_field::TimeField,
     tab: Tab,
     /// Whether the keyboard's focus is to move into the panel.
     focus_wanted: bool,
@@ -82,7 +86,9 @@ impl Panels {
         let room = ui.available_size();
         let in_hand = hand::is_small(room);
         let is_part = look.shown.embedded && !look.shown.panel;
-        if in_hand && !is_part {
+        if look.shown.presenting && !is_part {
+            presenter::strip(ui, look, &mut commands);
+        } else if in_hand && !is_part {
             hand::strip(ui, look, &mut commands);
             if look.shown.panel {
                 hand::sheet(ui, room, |ui| self.sheet(ui, look, &mut commands));
@@ -117,6 +123,11 @@ impl Panels {
         }
         if look.shown.help {
             help::show(ui, look, &mut commands);
+        }
+        if look.shown.asking_time {
+            self.time_field.ui(ui, look, &mut commands);
+        } else {
+            self.time_field = time_field::TimeField::default();
         }
         if let Some(place) = &look.shown.saving {
             save::show(ui, place, &mut commands);

@@ -162,7 +162,7 @@ impl Page {
         self.stage.resize(width, height);
         let ratio = dom::window().map_or(1.0, |window| window.device_pixel_ratio()) as f32;
         let css = Vec2::new(width as f32, height as f32) / ratio;
-        let zoom = stage::zoom_on_page(css.x, css.y, self.session.text_size());
+        let zoom = stage::zoom_on_page(css.x, css.y, self.session.text_size(), self.session.is_presenting());
         self.stage.context().set_zoom_factor(zoom);
         let place = Place { picture: self.stage.picture(), zoom, pixels_per_point: ratio * zoom };
 
