@@ -57,7 +57,6 @@ pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]
         }
         let painted = Painted {
             primitives: context.tessellate(output.shapes, output.pixels_per_point),
-            textures: output.textures_delta,
             pixels_per_point: output.pixels_per_point,
             background: context.global_style().visuals.panel_fill,
         };
