@@ -6,6 +6,8 @@ mod fit;
 mod offscreen;
 mod pacing;
 mod screen;
+mod sheet;
+mod stale;
 mod surface;
 
 use web_time::{Duration, Instant};
@@ -20,7 +22,8 @@ use crate::scene::Theme;
 use crate::session::Session;
 use crate::ui::{Command, Panels, Pixels, keys, style};
 use fit::{picture_point, place};
-use screen::{Painted, Screen};
+use screen::Screen;
+use stale::Shown;
 
 /// A wait for a repaint longer than this is one without end.
 const LONG: Duration = Duration::from_mins(10);
@@ -180,15 +183,15 @@ impl Stage {
 
         self.picture = picture;
         let panels_done = Instant::now();
-        let corner = self.draw_picture(session, picture, output.pixels_per_point);
+        let picture = self.draw_picture(session, picture, output.pixels_per_point);
         let picture_done = Instant::now();
-        let painted = Painted {
-            primitives: context.tessellate(output.shapes, output.pixels_per_point),
-            textures: output.textures_delta,
+        let shown = Shown {
+            shapes: output.shapes,
             pixels_per_point: output.pixels_per_point,
             background: context.global_style().visuals.panel_fill,
+            picture,
         };
-        let presented = self.screen.present(painted, corner, before_presenting);
+        let presented = self.screen.present(&context, shown, output.textures_delta, before_presenting);
         let is_to_be_tried_again = matches!(presented, Presented::Again | Presented::SurfaceLost);
         Drawn {
             commands,
@@ -210,11 +213,11 @@ impl Stage {
         Pending { canvas, reading, transparent, remarks: session.remarks([width, height]) }
     }
 
-    /// Redraws the picture where something in it changed since it was drawn. Gives its corner on the screen (pixels).
-    fn draw_picture(&mut self, session: &mut Session, picture: egui::Rect, pixels_per_point: f32) -> (u32, u32) {
+    /// Redraws the picture where something in it changed since it was drawn. Gives its place on the screen (pixels).
+    fn draw_picture(&mut self, session: &mut Session, picture: egui::Rect, pixels_per_point: f32) -> egui::Rect {
         let (corner, size) = place(picture, pixels_per_point, self.screen.size());
         if size.0 == 0 || size.1 == 0 {
-            return corner;
+            return on_screen(corner, size);
         }
         let pixels = Pixels::new(size.0 as f32, size.1 as f32);
         session.apply(Command::Resize(pixels), Instant::now());
@@ -223,8 +226,14 @@ impl Stage {
             self.drawn = Some(session.revision());
             self.screen.draw_picture(&session.frame(pixels.x / pixels.y), picture_point(pixels_per_point, size));
         }
-        corner
+        on_screen(corner, size)
     }
+}
+
+/// A place of this corner and size (pixels).
+fn on_screen(corner: (u32, u32), size: (u32, u32)) -> egui::Rect {
+    let corner = egui::pos2(corner.0 as f32, corner.1 as f32);
+    egui::Rect::from_min_size(corner, egui::vec2(size.0 as f32, size.1 as f32))
 }
 
 impl Pending {

@@ -4,6 +4,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::StageError;
+use super::sheet::Sheet;
+use super::stale::Shown;
 use super::surface::{Acquired, Surface};
 use crate::frame::Frame;
 use crate::render::{Canvas, Gpu, Painter, Reading};
@@ -14,6 +16,10 @@ pub(super) struct Screen {
     surface: Surface,
     painter: Painter,
     panels: egui_wgpu::Renderer,
+    /// The window's pixels, where they are kept.
+    sheet: Option<Sheet>,
+    /// Whether the picture is another one than that of the last frame.
+    is_picture_new: bool,
     gpu: Gpu,
     is_lost: Arc<AtomicBool>,
     /// The device was taken away on trial.
@@ -37,8 +43,6 @@ pub enum Presented {
 pub(super) struct Painted {
     /// Triangles.
     pub(super) primitives: Vec<egui::ClippedPrimitive>,
-    /// Textures made and dropped.
-    pub(super) textures: egui::TexturesDelta,
     /// Pixels a point.
     pub(super) pixels_per_point: f32,
     /// Behind everything.
@@ -54,7 +58,7 @@ impl Screen {
         size: (u32, u32),
         on_lost: impl Fn() + Send + 'static,
     ) -> Result<Self, StageError> {
-        let gpu = Gpu::for_surface(instance, &surface, adapter).await?;
+        let mut gpu = Gpu::for_surface(instance, &surface, adapter).await?;
         let is_lost = Arc::new(AtomicBool::new(false));
         let is_trial = Arc::new(AtomicBool::new(false));
         let (flag, trial) = (Arc::clone(&is_lost), Arc::clone(&is_trial));
@@ -66,9 +70,13 @@ impl Screen {
             }
         });
         let surface = Surface::new(surface, &gpu, size)?;
+        let sheet = surface.takes_copies().then(Sheet::default);
+        if sheet.is_some() {
+            gpu.draw_as(surface.format());
+        }
         let painter = Painter::for_window(&gpu, surface.format());
         let panels = egui_wgpu::Renderer::new(&gpu.device, surface.format(), egui_wgpu::RendererOptions::default());
-        Ok(Self { surface, painter, panels, gpu, is_lost, is_trial })
+        Ok(Self { surface, painter, panels, sheet, is_picture_new: false, gpu, is_lost, is_trial })
     }
 
     /// Whether the device is gone and everything on it.
@@ -104,6 +112,7 @@ impl Screen {
 
     /// Draws the picture, with this many pixels a point.
     pub(super) fn draw_picture(&mut self, frame: &Frame, point: f32) {
+        self.is_picture_new = true;
         self.painter.draw_picture(&self.gpu, frame, point);
     }
 
@@ -117,20 +126,39 @@ impl Screen {
         self.painter.draw_on(&self.gpu, canvas, frame)
     }
 
-    /// Draws the picture at its place, the panels on top, and presents; `before` is called right before that.
+    /// Draws the picture at its place, the panels on top, and presents; `before` is called right before that. The context is that
+    /// of the panels.
     pub(super) fn present(
         &mut self,
-        mut painted: Painted,
-        picture_corner: (u32, u32),
+        context: &egui::Context,
+        shown: Shown,
+        mut textures: egui::TexturesDelta,
         before: impl FnOnce(),
     ) -> Presented {
+        // A texture as a whole is another one, whatever shows it.
+        if let Some(sheet) = &mut self.sheet
+            && textures.set.values().flatten().any(egui::epaint::ImageDelta::is_whole)
+        {
+            sheet.forget();
+        }
         // Also where no frame is had: the next pass only tells what changed since.
-        upload(&self.gpu, &mut self.panels, &mut painted.textures);
+        upload(&self.gpu, &mut self.panels, &mut textures);
         let presented = match self.surface.acquire(&self.gpu) {
             Acquired::Frame { texture, is_suboptimal } => {
-                let view = texture.texture.create_view(&wgpu::TextureViewDescriptor::default());
-                let picture = (&self.painter, picture_corner);
-                paint(&self.gpu, (&view, self.surface.size()), picture, &mut self.panels, &painted);
+                let is_picture_new = std::mem::take(&mut self.is_picture_new);
+                if let Some(sheet) = &mut self.sheet {
+                    let panels = (&mut self.panels, context);
+                    sheet.paint(&self.gpu, &texture.texture, (&self.painter, is_picture_new), panels, shown);
+                } else {
+                    let view = texture.texture.create_view(&wgpu::TextureViewDescriptor::default());
+                    let picture = (&self.painter, (shown.picture.min.x as u32, shown.picture.min.y as u32));
+                    let painted = Painted {
+                        primitives: context.tessellate(shown.shapes, shown.pixels_per_point),
+                        pixels_per_point: shown.pixels_per_point,
+                        background: shown.background,
+                    };
+                    paint(&self.gpu, (&view, self.surface.size()), picture, &mut self.panels, &painted);
+                }
                 before();
                 self.gpu.queue.present(texture);
                 if is_suboptimal {
@@ -146,7 +174,7 @@ impl Screen {
                 Presented::Skipped
             }
         };
-        for id in painted.textures.free.drain() {
+        for id in textures.free.drain() {
             self.panels.free_texture(&id);
         }
         presented
