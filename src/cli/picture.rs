@@ -17,6 +17,7 @@ use super::arguments::{Metadata, PictureArguments, number_list};
 use super::failure::{Failure, say};
 use super::lists::{ListArguments, print, table};
 use super::output::check_place;
+use super::page::{Beginning, is_page, page};
 use super::quiet_driver::keep_quiet;
 use super::sheet::sheet;
 use super::signal;
@@ -33,8 +34,8 @@ impl From<HeadlessError> for Failure {
 pub(super) struct ShotArguments {
     #[command(flatten)]
     pub(super) picture: PictureArguments,
-    /// File to write, or - for standard output
-    #[arg(short, long, value_name = "FILE.png|-")]
+    /// File to write, a picture or a page that stands at the time, or - for standard output
+    #[arg(short, long, value_name = "FILE.png|.html|-")]
     pub(super) output: PathBuf,
     /// A sheet of the pictures at these times (s), each of --size; with --width or --height the sheet has that
     #[arg(long, value_name = "T,T,…", allow_hyphen_values = true, value_parser = times, conflicts_with = "time", help_heading = "Picture")]
@@ -62,6 +63,14 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     keep_quiet();
     signal::end_at_once()?;
     let picture = &arguments.picture;
+    if is_page(&arguments.output) {
+        #[cfg(feature = "window")]
+        let has_panel = arguments.panel;
+        #[cfg(not(feature = "window"))]
+        let has_panel = false;
+        let beginning = Beginning { plays: false, has_panel };
+        return page(picture, &arguments.output, beginning, &[("--times", arguments.times.is_some())]);
+    }
     let (scene, words) = picture_scene(picture)?;
     let time = picture.time(&scene);
     check_place(&arguments.output)?;
@@ -99,7 +108,7 @@ fn check_ending(output: &Path) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::request(format!(
-        "{} names no format that shot writes: give a name ending in .png, or - for standard output",
+        "{} names no format that shot writes: give a name ending in .png or .html, or - for standard output",
         output.display()
     )))
 }
