@@ -8,7 +8,7 @@ use winit::window::Window;
 
 use super::WindowError;
 use super::surface::{Acquired, Surface};
-use crate::frame::Frame;
+use crate::frame::{Frame, PlacedName};
 use crate::render::{Canvas, Gpu, Painter, Pixels};
 
 /// The device, the window's surface and what is drawn with.
@@ -111,6 +111,11 @@ impl Screen {
     /// Draws the picture, with this many pixels a point.
     pub(super) fn draw_picture(&mut self, frame: &Frame, point: f32) {
         self.painter.draw_picture(&self.gpu, frame, point);
+    }
+
+    /// The labels of the picture, where they stand.
+    pub(super) fn names(&self) -> &[PlacedName] {
+        self.painter.names()
     }
 
     /// Draws a picture apart from the window.
