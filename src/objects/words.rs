@@ -58,10 +58,15 @@ pub static WORDS: &[Word] = &[
         &["levels of the energy", "level set"],
         "A level set of the energy: all M of one length and one energy, the path of a spin with that energy.",
     ),
+    word(
+        "Λ",
+        &["Λ"],
+        "The solid angle of M's path: how much of the sphere it goes round, on M's side; the whole sphere has 4π.",
+    ),
     word("Δψ", &["Δψ"], "The angle by which the body has turned about L when M has come round its path once."),
     word(
         "axes 1, 2, 3",
-        &["1", "2", "3", "axes 1, 2, 3"],
+        &["1", "2", "3", "axes 1, 2, 3", "axis"],
         "The principal axes of the body: 1 is the one about which it is easiest to turn (the smallest moment of inertia I₁), 3 the hardest, 2 between.",
     ),
     word(
@@ -107,7 +112,7 @@ mod tests {
             ("polhode of this energy", "polhode"),
             ("path of ω (herpolhode)", "herpolhode"),
             ("border (separatrix)", "separatrix"),
-            ("same length: |M| = |L|", "sphere"),
+            ("same length |L|", "sphere"),
             ("Levels of the energy", "level set"),
             ("2: top", "axes 1, 2, 3"),
             ("3: I₃ = 0.00453", "axes 1, 2, 3"),
