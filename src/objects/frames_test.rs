@@ -228,3 +228,77 @@ fn the_shaded_part_of_the_sphere_is_the_solid_angle() -> Result<(), SceneError> 
     }
     Ok(())
 }
+
+/// The place on the sphere of an arrowhead, but for a thousandth of its size, and the way that it points.
+fn place_and_way(line: &crate::frame::Line) -> (Vec3, Vec3) {
+    let [one, tip, other] = [0, 1, 2].map(|n| line.points[n].position);
+    let foot = 0.5 * (one + other);
+    // The tip is farther from it than the foot.
+    ((foot.lerp(tip, 0.44)).normalize(), (tip - foot).normalize())
+}
+
+/// At an end of axis 2 arrowheads come in along one line and go out along another, and fade before they cover the end.
+#[test]
+fn arrowheads_show_the_saddles() -> Result<(), SceneError> {
+    for time in [0.0, 0.35, 0.8] {
+        let frame = alone("flip", &["flow"], time)?;
+        for end in [Vec3::Y, Vec3::NEG_Y] {
+            let mut ways = [[0; 2]; 4];
+            for line in &frame.panes[1].lines {
+                let (place, way) = place_and_way(line);
+                let aside = 1.0 - place.dot(end);
+                assert!(line.points[0].color.0[3] == 0.0 || aside > 0.012, "{place}");
+                if aside < 0.3 {
+                    let quarter = 2 * usize::from(place.x > 0.0) + usize::from(place.z > 0.0);
+                    ways[quarter][usize::from(way.dot(end) > 0.0)] += 1;
+                }
+            }
+            // The separatrix goes through all four quarters: out of two of them, and into the other two.
+            let [low, right, left, high] = ways;
+            for (one, opposite) in [(low, high), (right, left)] {
+                assert!(one[0] > 0 && opposite[0] > 0 || one[1] > 0 && opposite[1] > 0, "{ways:?}");
+            }
+            assert!((low[0] > low[1]) != (right[0] > right[1]) && (low[0] > low[1]) == (high[0] > high[1]), "{ways:?}");
+        }
+    }
+    Ok(())
+}
+
+/// Where two moments are equal, M stands still on the circle between: no arrowhead is there.
+#[test]
+fn no_arrowhead_is_where_m_stands_still() -> Result<(), SceneError> {
+    let frame = alone("symmetric-top", &["flow"], 0.7)?;
+    let lowest = frame.panes[1].lines.iter().map(|line| place_and_way(line).0.z.abs()).fold(1.0, f32::min);
+    assert!(lowest > 0.3, "{lowest}");
+    Ok(())
+}
+
+/// Where rings are shown, arrowheads run along them; and round a small ring they are small.
+#[test]
+fn arrowheads_are_on_the_paths_that_are_shown() -> Result<(), SceneError> {
+    for (shown, name) in [(["flow", "rings"], "axis-1"), (["flow", "level-sets"], "axis-1")] {
+        let frame = alone(name, &shown, 0.4)?;
+        let (heads, paths): (Vec<_>, Vec<_>) = frame.panes[1].lines.iter().partition(|line| line.points.len() == 3);
+        let separatrix = alone(name, &["separatrix", "polhode"], 0.4)?;
+        let paths: Vec<_> = paths.into_iter().chain(&separatrix.panes[1].lines).collect();
+        assert!(heads.len() > 60 && paths.len() > 8);
+        for line in heads {
+            let place = place_and_way(line).0;
+            let from_piece = |pair: &[crate::frame::LinePoint]| {
+                let (a, b) = (pair[0].position, pair[1].position);
+                let part = ((place - a).dot(b - a) / (b - a).length_squared().max(1e-12)).clamp(0.0, 1.0);
+                place.distance(a.lerp(b, part))
+            };
+            let nearest = paths.iter().flat_map(|path| path.points.windows(2)).map(from_piece).fold(1.0, f32::min);
+            // Of a bent path an arrowhead is straight: a tenth of its length off.
+            assert!(nearest < 0.007, "{shown:?}: {nearest} at {place}");
+        }
+    }
+    let size = |frame: &Frame| {
+        let own = frame.panes[1].lines.last().map(|line| line.points[0].position.distance(line.points[2].position));
+        own.unwrap_or_default()
+    };
+    let (small, large) = (size(&alone("axis-1", &["flow"], 0.4)?), size(&alone("flip", &["flow"], 0.4)?));
+    assert!(small < 0.7 * large, "{small} {large}");
+    Ok(())
+}
