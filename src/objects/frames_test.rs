@@ -164,8 +164,8 @@ fn the_flow_is_that_of_the_motion() -> Result<(), SceneError> {
         assert!(now.len() >= 40 && now.len() == later.len(), "{name}: {} and {}", now.len(), later.len());
         let mut slow = 0;
         for (now, later) in now.iter().zip(&later) {
-            let [middle, then] = [now, later].map(|[one, tip, other]| (0.5 * (*one + *other) + *tip) * 0.5);
-            let momentum = body.body_from_principal() * middle.as_dvec3().normalize() * ell;
+            let [place, then] = [now, later].map(|[one, tip, other]| at(*one, *tip, *other));
+            let momentum = body.body_from_principal() * (0.5 * (place + then)).as_dvec3().normalize() * ell;
             let rate = crate::physics::motion::momentum_rate(body, momentum) / ell;
             let rate = (body.body_from_principal().transpose() * rate).as_vec3();
             let along = now[1] - 0.5 * (now[0] + now[2]);
@@ -173,9 +173,9 @@ fn the_flow_is_that_of_the_motion() -> Result<(), SceneError> {
             let is_slow = rate.length() < 0.5;
             slow += usize::from(is_slow);
             assert!(is_slow || along.normalize().dot(rate.normalize_or_zero()) > 0.9, "{name}: {along} {rate}");
-            let moved = (then - middle) / 0.001;
-            // Its middle is 0.01 off the place that it stands for.
-            assert!((moved - rate).length() < 0.1 * rate.length() + 0.15, "{name}: {moved} {rate}");
+            let moved = (then - place) / 0.001;
+            // In so short a time the rate itself turns by some thousandths, and f32 is good to 1e-4 of it.
+            assert!((moved - rate).length() < 0.02 * rate.length() + 0.01, "{name}: {moved} {rate}");
         }
         assert!(slow < now.len() / 2, "{name}: {slow} of {}", now.len());
     }
@@ -229,12 +229,15 @@ fn the_shaded_part_of_the_sphere_is_the_solid_angle() -> Result<(), SceneError> 
     Ok(())
 }
 
-/// The place on the sphere of an arrowhead, but for a thousandth of its size, and the way that it points.
+/// The place on the sphere of an arrowhead with these corners, which is nearer to its foot than to its tip.
+fn at(one: Vec3, tip: Vec3, other: Vec3) -> Vec3 {
+    (0.5 * (one + other)).lerp(tip, 0.031 / 0.071).normalize()
+}
+
+/// The place of an arrowhead, and the way that it points.
 fn place_and_way(line: &crate::frame::Line) -> (Vec3, Vec3) {
     let [one, tip, other] = [0, 1, 2].map(|n| line.points[n].position);
-    let foot = 0.5 * (one + other);
-    // The tip is farther from it than the foot.
-    ((foot.lerp(tip, 0.44)).normalize(), (tip - foot).normalize())
+    (at(one, tip, other), (tip - 0.5 * (one + other)).normalize())
 }
 
 /// At an end of axis 2 arrowheads come in along one line and go out along another, and fade before they cover the end.
