@@ -11,7 +11,8 @@ use winit::window::{Fullscreen, Window, WindowAttributes};
 
 use super::files;
 use super::mapping::Mapping;
-use super::screen::{Painted, Presented, Screen};
+use super::screen::{Presented, Screen};
+use super::stale::Shown;
 use super::{Wake, WindowError, WindowOptions};
 use crate::render::{png, point_size};
 use crate::session::{Remembered, Session};
@@ -35,9 +36,11 @@ const NAME: &str = "dzhanibekov";
 const LONG: Duration = Duration::from_mins(10);
 
 /// How much larger than usual the panels are in a window of this size (points): they grow with the window, as what is
-/// projected does, by the user's own factor too, and never past what leaves room for them.
-pub(super) fn zoom(width: f32, height: f32, own: f32) -> f32 {
-    let grown = (width / 1280.0).min(height / 720.0).max(1.0).powf(0.7) * own;
+/// projected does, by the user's own factor too, and never past what leaves room for them. A presenter's words are as large a
+/// part of any window.
+pub(super) fn zoom(width: f32, height: f32, own: f32, presenting: bool) -> f32 {
+    let power = if presenting { 1.0 } else { 0.7 };
+    let grown = (width / 1280.0).min(height / 720.0).max(1.0).powf(power) * own;
     grown.min(width / SMALLEST.width).min(height / SMALLEST.height).max(0.4)
 }
 
@@ -219,7 +222,7 @@ impl OpenWindow {
             self.title = title;
         }
         let began = Instant::now();
-        self.scale_text(&context, session.text_size());
+        self.scale_text(&context, session.text_size(), session.is_presenting());
         let fullscreen = self.window.fullscreen().is_some();
         let mut input = self.egui.take_egui_input(&self.window);
         let has_focus = context.memory(|memory| memory.focused().is_some());
@@ -241,15 +244,15 @@ impl OpenWindow {
             .filter(|delay| *delay < LONG);
 
         let panels_done = Instant::now();
-        let corner = self.draw_picture(session, picture, output.pixels_per_point, drawn);
+        let picture = self.draw_picture(session, picture, output.pixels_per_point, drawn);
         let picture_done = Instant::now();
-        let painted = Painted {
-            primitives: context.tessellate(output.shapes, output.pixels_per_point),
-            textures: output.textures_delta,
+        let shown = Shown {
+            shapes: output.shapes,
             pixels_per_point: output.pixels_per_point,
             background: context.global_style().visuals.panel_fill,
+            picture,
         };
-        let presented = self.screen.present(&self.window, painted, corner);
+        let presented = self.screen.present(&self.window, &context, shown, output.textures_delta);
         Drawn {
             commands,
             repaint_after: if presented == Presented::Again { Some(Duration::ZERO) } else { repaint_after },
@@ -259,9 +262,9 @@ impl OpenWindow {
     }
 
     /// Legible from the last row at any resolution.
-    fn scale_text(&self, context: &egui::Context, text_size: f32) {
+    fn scale_text(&self, context: &egui::Context, text_size: f32, presenting: bool) {
         let size = self.window.inner_size().to_logical::<f32>(self.window.scale_factor());
-        context.set_zoom_factor(zoom(size.width, size.height, text_size));
+        context.set_zoom_factor(zoom(size.width, size.height, text_size, presenting));
     }
 
     /// Writes the picture as it is, as large as the window; says where.
@@ -291,7 +294,7 @@ impl OpenWindow {
         }
     }
 
-    /// Redraws the picture where something in it changed since the revision that was drawn. Gives its corner in the window
+    /// Redraws the picture where something in it changed since the revision that was drawn. Gives its place in the window
     /// (pixels).
     fn draw_picture(
         &mut self,
@@ -299,10 +302,10 @@ impl OpenWindow {
         picture: egui::Rect,
         pixels_per_point: f32,
         drawn: &mut Option<u64>,
-    ) -> (u32, u32) {
+    ) -> egui::Rect {
         let (corner, size) = place(picture, pixels_per_point, self.screen.size());
         if size.0 == 0 || size.1 == 0 {
-            return corner;
+            return in_window(corner, size);
         }
         let pixels = Pixels::new(size.0 as f32, size.1 as f32);
         session.apply(Command::Resize(pixels), Instant::now());
@@ -311,8 +314,14 @@ impl OpenWindow {
             *drawn = Some(session.revision());
             self.screen.draw_picture(&session.frame(pixels.x / pixels.y), picture_point(pixels_per_point, size));
         }
-        corner
+        in_window(corner, size)
     }
+}
+
+/// A place of this corner and size (pixels).
+fn in_window(corner: (u32, u32), size: (u32, u32)) -> egui::Rect {
+    let corner = egui::pos2(corner.0 as f32, corner.1 as f32);
+    egui::Rect::from_min_size(corner, egui::vec2(size.0 as f32, size.1 as f32))
 }
 
 fn open_screen(

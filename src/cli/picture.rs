@@ -49,6 +49,10 @@ pub(super) struct ShotArguments {
     #[cfg(feature = "window")]
     #[arg(long, help_heading = "Picture", conflicts_with_all = ["transparent", "width", "height", "times"])]
     panel: bool,
+    /// As the window is in presenter's mode: large words, a slim strip and no panel
+    #[cfg(feature = "window")]
+    #[arg(long, help_heading = "Picture", conflicts_with_all = ["panel", "transparent", "width", "height", "times"])]
+    presenter: bool,
 }
 
 /// Times of a sheet.
@@ -89,11 +93,12 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     }
     let gpu = open(picture)?;
     #[cfg(feature = "window")]
-    if arguments.panel {
+    if arguments.panel || arguments.presenter {
         let options = options(picture);
-        let words = [words, vec!["--panel".to_owned()]].concat();
+        let flag = if arguments.presenter { "--presenter" } else { "--panel" };
+        let words = [words, vec![flag.to_owned()]].concat();
         let notes = notes(picture, &scene, &words, time);
-        let pixels = dzhanibekov::app::with_panels(&gpu, scene, time, options.size.pixels)
+        let pixels = dzhanibekov::app::with_panels(&gpu, scene, time, options.size.pixels, arguments.presenter)
             .map_err(|error| Failure::could_not(error.to_string()))?;
         let bytes = render::png::encode_marked(&pixels, false, &notes, options.size.pixels_per_metre())
             .map_err(HeadlessError::from)?;

@@ -79,6 +79,18 @@ impl Painter {
         }
     }
 
+    /// Copies what of the window's picture lies in a part of the window (corner and size in pixels), where it has the window's format
+    /// ([`Gpu::draw_as`]) and its upper left corner at `corner`; false where none lies there.
+    pub fn copy_picture(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        window: &wgpu::Texture,
+        corner: [u32; 2],
+        part: ([u32; 2], [u32; 2]),
+    ) -> bool {
+        self.compose.as_ref().is_some_and(|compose| compose.copy(encoder, window, corner, part))
+    }
+
     /// Copies the window's picture to its place, `corner` in pixels of the window.
     pub fn place_picture(&self, pass: &mut wgpu::RenderPass<'_>, corner: (u32, u32), window: (u32, u32)) {
         if let Some(compose) = &self.compose {

@@ -73,7 +73,7 @@ impl Renderer {
         let panes = UniformBuffer::new(&gpu.device, "pane", size_of::<PaneUniform>());
         Self {
             panes,
-            overlays: Overlays::new(&gpu.device),
+            overlays: Overlays::new(gpu),
             meshes: Meshes::new(),
             quadrics: Quadrics::new(&gpu.device),
             dots: Dots::new(),
@@ -84,7 +84,7 @@ impl Renderer {
         }
     }
 
-    /// Draws the frame into `target`, a view of a [`FORMAT`](super::FORMAT) texture of this size, with `point` pixels a point
+    /// Draws the frame into `target`, a view of a texture of this size and of the device's format, with `point` pixels a point
     /// (for a file [`point_size`]). Submits the work and does not wait for it.
     pub(super) fn render(&mut self, gpu: &Gpu, frame: &Frame, target: &wgpu::TextureView, size: [u32; 2], point: f32) {
         self.prepare(gpu, frame, size, point);
@@ -100,7 +100,7 @@ impl Renderer {
         let uniforms: Vec<PaneUniform> =
             frame.panes.iter().zip(&extents).map(|(pane, extent)| PaneUniform::new(pane, *extent, point)).collect();
         self.panes.write(device, queue, &uniforms);
-        let maker = PipelineMaker { device, pane_layout: self.panes.layout() };
+        let maker = PipelineMaker { gpu, pane_layout: self.panes.layout() };
         self.meshes.upload(&maker, queue, frame, &uniforms, !self.solids.reads_samples);
         self.quadrics.upload(&maker, queue, frame, &uniforms);
         self.dots.upload(&maker, queue, frame.panes.iter());
