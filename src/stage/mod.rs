@@ -225,6 +225,7 @@ impl Stage {
         if is_new || self.drawn != Some(session.revision()) {
             self.drawn = Some(session.revision());
             self.screen.draw_picture(&session.frame(pixels.x / pixels.y), picture_point(pixels_per_point, size));
+            session.set_names(self.screen.names());
         }
         on_screen(corner, size)
     }
