@@ -6,7 +6,7 @@ const fs = require("node:fs");
 const http = require("node:http");
 const path = require("node:path");
 
-const { PAGE, SCRATCH, SHOT, SCENES } = process.env;
+const { PAGE, PROGRAM, SCRATCH, SHOT, SCENES } = process.env;
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".json": "application/json" };
 const ARGUMENTS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
   "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
@@ -158,6 +158,32 @@ const COUNT = () => {
   check(await until(async () => !(await state(page)).link.startsWith("#flip")), "forward does not go forward");
   await page.evaluate(() => { location.hash = "#flop"; });
   check(await until(() => page.evaluate(() => document.getElementById("live").textContent.includes("flop"))), "a bad link says nothing");
+  await close(page);
+
+  // The motion as numbers: those of the program.
+  page = await open("?play=0");
+  let [numbers, others, worst] = [0, 0, 0];
+  for (const { name, omega, moments, inertia, samples } of JSON.parse(fs.readFileSync("tests/harder_cases.json")).cases) {
+    const body = moments ? `body.moments=${JSON.stringify(moments)}` : `body.inertia=${JSON.stringify(inertia)}`;
+    const link = `#axis-1?${encodeURI(`${body}&spin.omega=${JSON.stringify(omega)}`)}&motion.method=closed-form`;
+    const times = samples.map((sample) => sample.t);
+    const wanted = execFileSync(PROGRAM, ["trace", link, "--quiet", `--at=${times.join(",")}`]).toString().trim().split("\n").slice(1).map((row) => row.split(",").map(Number));
+    await page.evaluate((link) => window.postMessage({ dzhanibekov: "open", link }, "*"), link);
+    await page.evaluate((times) => { window.answers = []; window.postMessage({ dzhanibekov: "trace", times }, "*"); }, times);
+    await until(() => page.evaluate(() => window.answers.some((answer) => answer.rows || answer.error)));
+    const rows = await page.evaluate(() => window.answers.filter((answer) => answer.rows).map((answer) => answer.rows.map((row) => [...row]))[0]);
+    if (!rows || rows.length !== wanted.length) { fail(`${name}: the page has no numbers: ${JSON.stringify(await page.evaluate(() => window.answers))}`); continue; }
+    wanted.forEach((row, at) => row.forEach((number, column) => {
+      numbers++;
+      if (Object.is(rows[at][column], number)) return;
+      others++;
+      // Columns of a kind: time, R, M, Ω, L, energy.
+      const kind = [[0, 1], [1, 10], [10, 13], [13, 16], [16, 19], [19, 20]].find(([from, to]) => from <= column && column < to);
+      const size = Math.max(...row.slice(...kind).map(Math.abs));
+      worst = Math.max(worst, Math.abs(rows[at][column] - number) / size);
+    }));
+  }
+  console.error(`smoke: of ${numbers} numbers of the motion ${others} are others than the program's, at most by ${worst.toExponential(1)} of their vector`);
   await close(page);
 
   // Files.

@@ -8,6 +8,7 @@
 //! | `"step"` | `count: 1` | pauses and takes so many steps |
 //! | `"next"`, `"previous"` | | the scene's next step or the next scene, or back |
 //! | `"state"` | | nothing but the answer |
+//! | `"trace"` | `times: [0, 0.5]` (s) | nothing but the answer, which has `rows` besides: the 20 columns of `dzhanibekov trace` |
 //!
 //! Each is answered to who sent it by `{ dzhanibekov: "is", title, time, playing, link }`; what no row says is not answered. The page
 //! around gets the same, with `"ready"` for `"is"`, when the first frame is there. A message can open a scene and move time, which a
@@ -16,12 +17,14 @@
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{MessageEvent, Window};
 
-use super::dom;
+use super::{dom, numbers};
 use crate::session::Session;
 use crate::ui::Command;
 
 /// The name of the field that says what is asked.
 const FIELD: &str = "dzhanibekov";
+/// More times than this are not looked at.
+const MOST: usize = 1 << 20;
 
 /// The commands that a message comes to; none where it is no message to this page.
 pub(super) fn commands(event: &MessageEvent, is_playing: bool) -> Option<Vec<Command>> {
@@ -36,7 +39,7 @@ pub(super) fn commands(event: &MessageEvent, is_playing: bool) -> Option<Vec<Com
         "step" => Command::Step(number("count").unwrap_or(1.0) as i64),
         "next" => Command::NextStep,
         "previous" => Command::PreviousStep,
-        "state" => return Some(vec![]),
+        "state" | "trace" => return Some(vec![]),
         _ => return None,
     };
     Some(vec![command])
@@ -46,7 +49,17 @@ pub(super) fn commands(event: &MessageEvent, is_playing: bool) -> Option<Vec<Com
 pub(super) fn answer(event: &MessageEvent, session: &Session) {
     // A window of another origin cannot be asked whether it is one, and nothing else sends messages here.
     if let Some(sender) = event.source() {
-        send(sender.unchecked_ref::<Window>(), "is", session);
+        let told = told("is", session);
+        let data = event.data();
+        if dom::property(&data, FIELD).as_string().as_deref() == Some("trace") {
+            let times = js_sys::Array::from(&dom::property(&data, "times"));
+            let times: Vec<f64> = times.iter().take(MOST).map(|time| time.as_f64().unwrap_or(f64::NAN)).collect();
+            match numbers::rows(session.scene(), &times) {
+                Ok(rows) => dom::set_property(&told, "rows", &rows),
+                Err(why) => dom::set_property(&told, "error", &JsValue::from_str(&why)),
+            }
+        }
+        send(sender.unchecked_ref::<Window>(), &told);
     }
 }
 
@@ -54,11 +67,12 @@ pub(super) fn answer(event: &MessageEvent, session: &Session) {
 pub(super) fn tell_ready(session: &Session) {
     let Some(window) = dom::window() else { return };
     if let Some(parent) = window.parent().ok().flatten().filter(|parent| *parent != window) {
-        send(&parent, "ready", session);
+        send(&parent, &told("ready", session));
     }
 }
 
-fn send(to: &Window, what: &str, session: &Session) {
+/// How it stands, as it is told.
+fn told(what: &str, session: &Session) -> js_sys::Object {
     let told = js_sys::Object::new();
     for (name, value) in [
         (FIELD, JsValue::from_str(what)),
@@ -69,6 +83,10 @@ fn send(to: &Window, what: &str, session: &Session) {
     ] {
         dom::set_property(&told, name, &value);
     }
+    told
+}
+
+fn send(to: &Window, told: &js_sys::Object) {
     // Nothing in it is secret, and a page from a file has no origin to name.
-    let _ = to.post_message(&told, "*");
+    let _ = to.post_message(told, "*");
 }

@@ -11,6 +11,7 @@ mod inbox;
 mod keyboard;
 mod message;
 mod mirror;
+mod numbers;
 mod open;
 mod options;
 mod page;
