@@ -3,26 +3,45 @@
 
 use glam::{Vec2, Vec3};
 
-use super::{Context, labels};
-use crate::frame::{Label, Line, Mark, Marker, Pane};
+use super::{Context, body_axes, labels};
+use crate::frame::{Color, Label, LabelStyle, Line, Mark, Marker, Pane};
 
 /// How far the axes stand out of the sphere.
 const REACH: f32 = 1.22;
 
 /// The parts of the axes outside the sphere.
 pub(super) fn axes(context: &Context<'_>, pane: &mut Pane) {
-    let moments = context.simulation.body().principal_moments();
-    let (right, up, _) = pane.camera.axes();
     for (number, color) in context.palette.axes.into_iter().enumerate() {
         let axis = Vec3::AXES[number];
         for sign in [1.0, -1.0] {
             pane.lines.push(Line::new([axis * sign, axis * sign * REACH], 2.6, color).through(0.25));
         }
-        let index = ['₁', '₂', '₃'][number];
-        let text = format!("I{index} = {}", significant(moments[number]));
-        let toward = Vec2::new(2.0 * axis.dot(right), axis.dot(up));
-        pane.labels.push(Label::new(axis * REACH, toward, &text, color, labels::MOMENT));
+        // With its moment it is named there.
+        if !context.shows(&super::MOMENTS) {
+            name(pane, number, body_axes::NUMBERS[number], color, labels::AXIS);
+        }
     }
+}
+
+/// The moments, beside the numbers of the axes.
+pub(super) fn moments(context: &Context<'_>, pane: &mut Pane) {
+    if !context.shows(&super::AXES) {
+        return;
+    }
+    let moments = context.simulation.body().principal_moments();
+    for (number, color) in context.palette.axes.into_iter().enumerate() {
+        let index = ['₁', '₂', '₃'][number];
+        let text = format!("{}: I{index} = {}", number + 1, significant(moments[number]));
+        name(pane, number, &text, color, labels::MOMENT);
+    }
+}
+
+/// Names an axis at its end.
+fn name(pane: &mut Pane, number: usize, text: &str, color: Color, style: LabelStyle) {
+    let (right, up, _) = pane.camera.axes();
+    let axis = Vec3::AXES[number];
+    let toward = Vec2::new(2.0 * axis.dot(right), axis.dot(up));
+    pane.labels.push(Label::new(axis * REACH, toward, text, color, style));
 }
 
 /// The steady spins on the sphere.

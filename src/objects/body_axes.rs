@@ -16,6 +16,9 @@ const STUB: f32 = 0.16;
 /// How much of an axis must look towards the eye for its number to be seen whole.
 const FACING: f32 = 0.12;
 
+/// What the axes are called.
+pub(super) const NUMBERS: [&str; 3] = ["1", "2", "3"];
+
 /// A short piece of each axis out of the body, with its number: which one is which on the momentum sphere. It is the end on
 /// the side of the eye, which the body never hides; both ends fade while they change places.
 pub(super) fn names(context: &Context<'_>, pane: &mut Pane) {
@@ -25,31 +28,59 @@ pub(super) fn names(context: &Context<'_>, pane: &mut Pane) {
     }
     let world_from_principal = world_from_principal(context, context.simulation.state());
     let eye = pane.camera.eye().normalize_or_zero();
-    for number in 0..3 {
+    for number in (0..3).filter(|number| !context.shows(&super::ENDS) || *number != started_about(context)) {
         let axis = world_from_principal.col(number);
         let facing = axis.dot(eye);
         let axis = if facing < 0.0 { -axis } else { axis };
         // Not in the colour of the axis, which is that of the face under it.
         let color = context.palette.ink.fade((facing.abs() / FACING).min(1.0));
-        // The body's farthest point along the axis.
-        let parts = super::body::placed_parts(context, context.simulation.state());
-        let reach = parts.map(|(centre, map, ..)| axis.dot(centre) + (map.transpose() * axis).abs().element_sum());
-        let foot = axis * reach.fold(0.0, f32::max);
-        if foot.is_finite() {
-            // Through a sphere that carries a trail.
-            named_end(pane, foot, foot + axis * STUB, number, color, 0.6);
-        }
+        stub(context, pane, axis, NUMBERS[number], color);
     }
 }
 
-/// A piece of an axis, with its number at the end.
-fn named_end(pane: &mut Pane, from: Vec3, end: Vec3, number: usize, color: Color, hidden: f32) {
+/// Which end of the axis that the body was started about was up at the start, and which one down: seen to change places.
+pub(super) fn ends(context: &Context<'_>, pane: &mut Pane) {
+    if !context.shows(&super::BODY) || context.shows(&super::BODY_AXES) || context.unit_momentum().is_none() {
+        return;
+    }
+    let number = started_about(context);
+    let sign = context.body_momentum(context.scene.start.body_momentum)[number].signum();
+    let axis = world_from_principal(context, context.simulation.state()).col(number) * sign;
+    let is_numbered = context.shows(&super::AXIS_NAMES);
+    for (axis, name) in [(axis, "top"), (-axis, "bottom")] {
+        let name = if is_numbered { format!("{}: {name}", NUMBERS[number]) } else { name.to_owned() };
+        stub(context, pane, axis, &name, context.palette.ink);
+    }
+}
+
+/// The axis, counted from 0, that most of the momentum was along at the start.
+pub(super) fn started_about(context: &Context<'_>) -> usize {
+    context.body_momentum(context.scene.start.body_momentum).abs().max_position()
+}
+
+/// A short piece of an axis out of the body.
+fn stub(context: &Context<'_>, pane: &mut Pane, axis: Vec3, name: &str, color: Color) {
+    // The body's farthest point along the axis.
+    let parts = super::body::placed_parts(context, context.simulation.state());
+    let reach = parts.map(|(centre, map, ..)| axis.dot(centre) + (map.transpose() * axis).abs().element_sum());
+    let foot = axis * reach.fold(0.0, f32::max);
+    if foot.is_finite() {
+        // Through a sphere that carries a trail.
+        named_end(pane, foot, foot + axis * STUB, name, color, 0.6);
+    }
+}
+
+/// A piece of an axis, with its name at the end.
+fn named_end(pane: &mut Pane, from: Vec3, end: Vec3, name: &str, color: Color, hidden: f32) {
     let (right, up, _) = pane.camera.axes();
     pane.lines.push(Line::new([from, end], 2.6, color).through(hidden));
     let along = Vec2::new(end.dot(right), end.dot(up)).normalize_or(Vec2::X);
     // Beside the end rather than above it, where L and ω may stand.
-    let toward = Vec2::new(along.x + 0.8 * (1.0 - along.x.abs()), 0.5 * along.y);
-    pane.labels.push(Label::new(end, toward, ["1", "2", "3"][number], color, labels::NUMBER));
+    let aside = along.x + 0.8 * (1.0 - along.x.abs());
+    // A word is wide: it is set wholly beside.
+    let (above, style) = if name.len() > 1 { (0.0, labels::END) } else { (0.5 * along.y, labels::NUMBER) };
+    let toward = Vec2::new(aside, above);
+    pane.labels.push(Label::new(end, toward, name, color, style));
 }
 
 /// The three axes, named at their positive ends.
@@ -57,14 +88,13 @@ pub(super) fn axes(context: &Context<'_>, pane: &mut Pane) {
     let world_from_principal = world_from_principal(context, context.simulation.state());
     for (number, color) in context.palette.axes.into_iter().enumerate() {
         let end = world_from_principal.col(number) * REACH;
-        named_end(pane, -end, end, number, color, 0.35);
+        named_end(pane, -end, end, NUMBERS[number], color, 0.35);
     }
 }
 
 /// The way of the axis that the body was started about.
 pub(super) fn trail(context: &Context<'_>, pane: &mut Pane) {
-    let start = context.body_momentum(context.scene.start.body_momentum);
-    trail_of(start.abs().max_position(), context, pane);
+    trail_of(started_about(context), context, pane);
 }
 
 /// The way of axis `NUMBER`, counted from 0.

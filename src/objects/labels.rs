@@ -2,7 +2,7 @@
 
 use crate::frame::LabelStyle;
 
-/// A vector of the room, at its tip: it moves.
+/// A vector of the world, at its tip: it moves.
 pub(super) const VECTOR: LabelStyle = LabelStyle { size: 26.0, gap: 10.0, priority: 10, moves: true };
 /// One that stays.
 pub(super) const FIXED_VECTOR: LabelStyle = LabelStyle { priority: 11, moves: false, ..VECTOR };
@@ -10,6 +10,10 @@ pub(super) const FIXED_VECTOR: LabelStyle = LabelStyle { priority: 11, moves: fa
 pub(super) const TIP: LabelStyle = LabelStyle { size: 26.0, gap: 14.0, priority: 9, moves: true };
 /// The number of an axis, as it turns with the body.
 pub(super) const NUMBER: LabelStyle = LabelStyle { size: 24.0, gap: 5.0, priority: 4, moves: true };
+/// An end of it that has a name, off the arrow that may stand there.
+pub(super) const END: LabelStyle = LabelStyle { size: 22.0, gap: 12.0, ..NUMBER };
+/// The number of an axis that stands still.
+pub(super) const AXIS: LabelStyle = LabelStyle { moves: false, ..NUMBER };
 /// The moment of an axis that stands still.
 pub(super) const MOMENT: LabelStyle = LabelStyle { size: 19.0, gap: 6.0, priority: 5, moves: false };
 /// A path on the sphere.

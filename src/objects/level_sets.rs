@@ -19,7 +19,7 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
         return;
     }
     let color = context.palette.ink.alpha(0.3);
-    for momentum in momenta(body) {
+    for momentum in momenta(body, PATHS) {
         let curve = poinsot::polhode(body, body.body_from_principal() * momentum, POINTS);
         let points: Vec<Vec3> = curve.into_iter().map(|m| context.principal(m)).collect();
         let points = simplified(&points, TOLERANCE);
@@ -30,14 +30,15 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     }
 }
 
-/// A momentum of each path, in principal components: evenly in angle between the poles 1 and 3 and the separatrix.
-fn momenta(body: &Body) -> impl Iterator<Item = DVec3> {
+/// A momentum of each of so many paths round axis 3 and round axis 1 in turn, in principal components: evenly in angle between the
+/// poles and the separatrix.
+pub(super) fn momenta(body: &Body, paths: u32) -> impl Iterator<Item = DVec3> {
     let i = body.principal_moments();
     // The separatrix's angle from axis 3: tan² = κ² = I₁(I₃−I₂)/(I₃(I₂−I₁)).
     let slope = (i.x / i.z * (i.z - i.y)).sqrt().atan2((i.y - i.x).sqrt());
     let quarter = std::f64::consts::FRAC_PI_2;
-    (1..=PATHS).flat_map(move |n| {
-        let part = f64::from(n) / f64::from(PATHS + 1);
+    (1..=paths).flat_map(move |n| {
+        let part = f64::from(n) / f64::from(paths + 1);
         [slope * part, quarter - (quarter - slope) * part].map(|angle| DVec3::new(angle.sin(), 0.0, angle.cos()))
     })
 }

@@ -20,12 +20,14 @@ mod level_sets;
 mod mesh;
 mod notes;
 mod polhode;
+mod rings;
 mod separatrix;
 mod surfaces;
 mod theme;
 mod tip;
 mod track;
 mod vectors;
+mod way;
 
 use Space::{Momentum, World};
 use glam::Vec2;
@@ -95,6 +97,24 @@ const fn object(
 
 /// The body, on which its axes are numbered.
 const BODY: Object = object("body", "Body", World, true, body::draw, "The body itself, its faces and edges");
+/// The numbers of the axes, at the ends that are not named otherwise.
+const AXIS_NAMES: Object = object(
+    "axis-names",
+    "Numbers of the axes",
+    World,
+    true,
+    body_axes::names,
+    "The numbers 1, 2, 3 at the ends of the body's axes",
+);
+/// The ends of the axis that it was started about.
+const ENDS: Object = object(
+    "ends",
+    "Top and bottom",
+    World,
+    false,
+    body_axes::ends,
+    "Which end of the axis of the spin was up at the start, and which down",
+);
 /// The axes that turn with it, which have their own numbers.
 const BODY_AXES: Object = object(
     "body-axes",
@@ -107,6 +127,24 @@ const BODY_AXES: Object = object(
 /// The axes of momentum space, whose moments have a unit.
 const AXES: Object =
     object("axes", "Principal axes", Momentum, true, axes::axes, "The principal axes through momentum space");
+/// The moments, named at the axes.
+const MOMENTS: Object = object(
+    "moments",
+    "Moments of inertia",
+    Momentum,
+    true,
+    axes::moments,
+    "The moments of inertia beside the numbers of the axes",
+);
+/// L's arrow, of which the captions speak.
+const MOMENTUM: Object = object(
+    "momentum",
+    "Angular momentum L",
+    World,
+    true,
+    vectors::momentum,
+    "The arrow of the angular momentum, which never moves",
+);
 /// The tip of M, which can be dragged where it is drawn.
 pub const TIP: Object = object("tip", "Tip of M", Momentum, true, tip::tip, "The tip of M, and the arrow to it");
 /// The words over the world, under which there must be room.
@@ -145,6 +183,14 @@ pub static OBJECTS: &[Object] = &[
         true,
         floor::plane,
         "The floor: the plane across L on which the ellipsoid of inertia rolls",
+    ),
+    object(
+        "way",
+        "Way round it turns",
+        World,
+        false,
+        way::draw,
+        "A bent arrow on the floor: the way round the body turns, which never changes",
     ),
     object(
         "annulus",
@@ -215,14 +261,8 @@ pub static OBJECTS: &[Object] = &[
         "The path of the tip of the axis of the largest moment",
     ),
     BODY,
-    object(
-        "axis-names",
-        "Numbers of the axes",
-        World,
-        true,
-        body_axes::names,
-        "The numbers 1, 2, 3 at the ends of the body's axes",
-    ),
+    AXIS_NAMES,
+    ENDS,
     BODY_AXES,
     object(
         "ghosts",
@@ -232,14 +272,7 @@ pub static OBJECTS: &[Object] = &[
         ghosts::bodies,
         "The bodies of the methods that are compared, seen through",
     ),
-    object(
-        "momentum",
-        "Angular momentum L",
-        World,
-        true,
-        vectors::momentum,
-        "The arrow of the angular momentum, which never moves",
-    ),
+    MOMENTUM,
     object(
         "omega",
         "Angular velocity ω",
@@ -249,6 +282,14 @@ pub static OBJECTS: &[Object] = &[
         "The arrow of the angular velocity, which swings about L",
     ),
     WORLD_NOTES,
+    object(
+        "flip-notes",
+        "Words about the flip",
+        World,
+        false,
+        notes::flip,
+        "What flips and what stays, in two lines over the world",
+    ),
     object(
         "sphere",
         "Sphere |M| = |L|",
@@ -266,6 +307,7 @@ pub static OBJECTS: &[Object] = &[
         "The ellipsoid of all momenta of the same energy",
     ),
     AXES,
+    MOMENTS,
     object(
         "level-sets",
         "Levels of the energy",
@@ -273,6 +315,14 @@ pub static OBJECTS: &[Object] = &[
         true,
         level_sets::draw,
         "The paths of M at other energies, on the sphere",
+    ),
+    object(
+        "rings",
+        "Rings round axes 1 and 3",
+        Momentum,
+        false,
+        rings::draw,
+        "The paths of M at other energies, each in the colour of the axis that it circles",
     ),
     object(
         "separatrix",

@@ -1,12 +1,17 @@
 //! The words of a pane: from where it is seen, and which method is drawn how.
 
-use super::{Context, Space, ghosts};
-use crate::frame::{Dash, Mark, Note, Pane, Swatch};
+use super::{Context, Space, body_axes, ghosts};
+use crate::frame::{Color, Dash, Mark, Note, Pane, Swatch};
+use crate::physics::poinsot;
 use crate::scene::Layout;
 
 const CAPTION_SIZE: f32 = 20.0;
 /// Of the rows of the legend, which may be many.
 const LEGEND_SIZE: f32 = 17.0;
+/// How far along the vertical an axis points that is upright.
+const UPRIGHT: f32 = 0.7;
+/// The middle axis, counted from 0.
+const MIDDLE: usize = 1;
 /// Columns that it mostly has in half a picture, and the height of a row as a part of a pane's.
 const COLUMNS: usize = 2;
 const ROW_HEIGHT: f32 = 0.04;
@@ -15,7 +20,9 @@ const MOST_OF_A_PANE: f32 = 0.25;
 
 /// Of the world.
 pub(super) fn world(context: &Context<'_>, pane: &mut Pane) {
-    caption(context, pane, "seen from the room: L stays");
+    // L is spoken of where it is seen.
+    let words = if context.shows(&super::MOMENTUM) { "seen from the world: L stays" } else { "seen from the world" };
+    caption(context, pane, words);
     if context.simulation.energy_loss() > 0.0 {
         let left = 100.0 * (1.0 + context.simulation.energy_error());
         caption(context, pane, &format!("energy is lost: {left:.0} % of K is left"));
@@ -23,9 +30,37 @@ pub(super) fn world(context: &Context<'_>, pane: &mut Pane) {
     legend(context, pane);
 }
 
+/// What flips and what stays, of a body that does.
+pub(super) fn flip(context: &Context<'_>, pane: &mut Pane) {
+    let Some(now) = context.unit_momentum().map(|now| context.principal(now)) else { return };
+    let axis = body_axes::started_about(context);
+    let flips = poinsot::flip_period_of(&context.scene.body, &context.scene.start).is_some();
+    if axis != MIDDLE || !flips || context.simulation.energy_loss() > 0.0 {
+        return;
+    }
+    // L points up, so that M along an axis is how far that axis points up.
+    let upright = now[axis] * context.body_momentum(context.scene.start.body_momentum)[axis].signum();
+    let way = match upright {
+        upright if upright > UPRIGHT => "as at the start",
+        upright if upright < -UPRIGHT => "turned over",
+        _ => "turning over",
+    };
+    note(pane, format!("flips: the body – now {way}"), context.palette.axes[axis]);
+    let stays = if context.shows(&super::MOMENTUM) { "stays: the arrow L" } else { "stays: the way round it turns" };
+    note(pane, stays.to_owned(), context.palette.ink);
+}
+
+fn note(pane: &mut Pane, text: String, color: Color) {
+    pane.notes.push(Note { text, size: CAPTION_SIZE, color, swatch: None });
+}
+
 /// Of momentum space.
 pub(super) fn momentum_space(context: &Context<'_>, pane: &mut Pane) {
-    let unit = if context.shows(&super::AXES) { " (I\u{a0}in\u{a0}kg\u{a0}m²)" } else { "" };
+    let unit = if context.shows(&super::AXES) && context.shows(&super::MOMENTS) {
+        " (I\u{a0}in\u{a0}kg\u{a0}m²)"
+    } else {
+        ""
+    };
     caption(context, pane, &format!("seen from the body: M is L{unit}"));
     if context.settings.layout == Layout::Body {
         legend(context, pane);
@@ -50,8 +85,7 @@ pub(super) fn legend_height(context: &Context<'_>, space: Space) -> f32 {
 }
 
 fn caption(context: &Context<'_>, pane: &mut Pane, text: &str) {
-    let color = context.palette.ink;
-    pane.notes.push(Note { text: text.to_owned(), size: CAPTION_SIZE, color, swatch: None });
+    note(pane, text.to_owned(), context.palette.ink);
 }
 
 /// A row a method, the scene's own first.

@@ -26,7 +26,7 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     if let Some(&anchor) = points.iter().filter(|_| is_line).max_by(|a, b| fitness(**a).total_cmp(&fitness(**b))) {
         // Where energy is lost M leaves it at once for the next one.
         let is_left = context.simulation.energy_loss() > 0.0;
-        let name = if is_left { "polhode of this energy" } else { "polhode: path of M" };
+        let name = if is_left { "polhode of this energy" } else { "path of M (polhode)" };
         let mut label = Label::new(anchor, Vec2::new(1.0, 0.4), name, context.palette.polhode, labels::PATH);
         // Else outside the loop, where M does not come by.
         let middle = points.iter().sum::<Vec3>() / points.len() as f32;

@@ -194,7 +194,8 @@ impl Session {
                 slides.extend(super::built_in());
                 self.set_slides(slides);
                 self.open_slide(0);
-                self.say(format!("{count} scenes of {place}"));
+                let noun = if count == 1 { "scene" } else { "scenes" };
+                self.say(format!("{count} {noun} of {place}"));
             }
         }
         if self.scene.file != before.file {

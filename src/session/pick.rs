@@ -39,7 +39,7 @@ impl Pane {
         self.meet(to).map(|(point, _)| point).filter(|point| point.is_finite())
     }
 
-    /// Where the ray through a pixel meets the unit sphere, or where it comes nearest to it; and whether it does meet it.
+    /// Where the ray through a pixel meets the unit sphere, or the point of its outline on that side; and whether it does meet it.
     fn meet(&self, at: Pixels) -> Option<(Vec3, bool)> {
         let inside = (at - self.corner) / self.extent;
         let up = (0.5 * Camera::vertical_field(self.aspect())).tan();
@@ -51,7 +51,11 @@ impl Pane {
         let half = eye.dot(direction);
         let under_root = half * half - (eye.length_squared() - 1.0);
         let distance = -half - under_root.max(0.0).sqrt();
-        (distance > 0.0).then(|| ((eye + direction * distance).normalize(), under_root > 0.0))
+        if distance <= 0.0 {
+            return None;
+        }
+        let point = (eye + direction * distance).normalize();
+        Some(if under_root > 0.0 { (point, true) } else { (outline_towards(eye, point), false) })
     }
 
     /// The pixel of a point, and whether the unit sphere does not hide it.
@@ -78,4 +82,11 @@ impl Pane {
             words: poinsot::classify(body, momentum).label(),
         }
     }
+}
+
+/// The point of the unit sphere's outline, as the eye sees it, on the side of a direction: there `eye · point = 1`.
+fn outline_towards(eye: Vec3, direction: Vec3) -> Vec3 {
+    let aside = direction.reject_from(eye).normalize_or(eye.any_orthonormal_vector());
+    let along = eye.length_recip();
+    (eye.normalize() * along + aside * (1.0 - along * along).max(0.0).sqrt()).normalize()
 }

@@ -8,6 +8,9 @@ use crate::physics::{METHODS, MotionClass, poinsot, so3};
 use crate::scene::{BodyFile, Layout, Scene, SceneError, SceneFile, Theme, preset};
 use crate::ui::{Command, Pixels};
 
+mod kept;
+mod pointer;
+mod starts;
 mod steps;
 
 /// A session with its own clock: each command comes a second after the one before.

@@ -12,7 +12,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     section(ui, "View");
     let layouts = [
         (Layout::Both, "both", "World and body side by side"),
-        (Layout::World, "world", "Seen from the room: the body tumbles, L stays"),
+        (Layout::World, "world", "Seen from the world: the body tumbles, L stays"),
         (Layout::Body, "body", "Seen from the body: momentum space, M moves"),
     ];
     if let Some(layout) = choice(ui, Some(look.scene.view.layout), &layouts) {
@@ -36,7 +36,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     });
     keep(ui, commands);
     if look.scene.view.layout != Layout::Body {
-        section(ui, "In the room");
+        section(ui, "In the world");
         checkboxes(ui, look, Space::World, commands);
     }
     if look.scene.view.layout != Layout::World {

@@ -31,7 +31,7 @@ impl Viewport {
         let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         response.widget_info(|| {
             let class = poinsot::class_of(&look.scene.body, &look.scene.start).label();
-            let seen = format!("{}: the body seen from the room, and its momentum sphere; {class}", look.title());
+            let seen = format!("{}: the body seen from the world, and its momentum sphere; {class}", look.title());
             egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, seen)
         });
         let scale = ui.ctx().pixels_per_point();
