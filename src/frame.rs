@@ -102,6 +102,8 @@ pub struct Pane {
     pub quadrics: Vec<QuadricPair>,
     /// Lines of constant width on the screen.
     pub lines: Vec<Line>,
+    /// Dots of the unit sphere, of which there may be many thousands.
+    pub dots: Vec<Dot>,
     /// Marks of constant size on the screen.
     pub markers: Vec<Marker>,
     /// Texts beside points of the scene.
@@ -114,8 +116,8 @@ impl Pane {
     /// An empty pane.
     #[must_use]
     pub fn new(area: Area, camera: Camera, lift: f32) -> Self {
-        let (meshes, quadrics, lines, markers) = (vec![], vec![], vec![], vec![]);
-        Self { area, camera, lift, meshes, quadrics, lines, markers, labels: vec![], notes: vec![] }
+        let (meshes, quadrics, lines, dots, markers) = (vec![], vec![], vec![], vec![], vec![]);
+        Self { area, camera, lift, meshes, quadrics, lines, dots, markers, labels: vec![], notes: vec![] }
     }
 
     /// Adds a surface that is cut by the other one of its kind, where that is drawn: the two are composited together.
@@ -252,6 +254,17 @@ impl Line {
         self.dash = dash;
         self
     }
+}
+
+/// A plain dot of constant size on the screen, at a place of the unit sphere: those of its far side shine through faintly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dot {
+    /// Where, in the pane's world.
+    pub position: Vec3,
+    /// Diameter in points.
+    pub size: f32,
+    /// Its colour.
+    pub color: Color,
 }
 
 /// The form of a mark: marks are told apart without their colours.

@@ -27,7 +27,7 @@ pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]
     let zoom = zoom(wide, high, session.scene().view.font_scale as f32);
     context.set_zoom_factor(zoom);
     let mut panels = Panels::default();
-    let canvas = Canvas::new(gpu, [width, height]);
+    let canvas = Canvas::whole(gpu, [width, height]);
     // The panels' renderer ends the program on a device that is lost.
     gpu.check()?;
     let mut panels_painter = egui_wgpu::Renderer::new(&gpu.device, FORMAT, egui_wgpu::RendererOptions::PREDICTABLE);

@@ -116,8 +116,8 @@ impl Screen {
     /// Draws a picture apart from the window.
     pub(super) fn picture(&mut self, frame: &Frame, size: [u32; 2]) -> Result<Pixels, String> {
         let canvas = Canvas::new(&self.gpu, size);
-        self.painter.draw_on(&self.gpu, &canvas, frame);
-        canvas.read(&self.gpu).map_err(|error| error.to_string())
+        let reading = self.painter.draw_on(&self.gpu, &canvas, frame);
+        canvas.finish_read(&self.gpu, &reading).map_err(|error| error.to_string())
     }
 
     /// Draws the picture at its place, the panels on top, and presents.

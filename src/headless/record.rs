@@ -166,8 +166,7 @@ impl<'a> Artist<'a> {
         }
         let canvas = &self.canvases[canvas];
         let frame = self.options.frame(self.scene, &self.simulation, &self.cameras);
-        self.painter.draw_on(self.gpu, canvas, &frame);
-        Ok(canvas.begin_read(self.gpu))
+        Ok(self.painter.draw_on(self.gpu, canvas, &frame))
     }
 
     fn finish(&self, canvas: usize, reading: &Reading) -> Result<Pixels, HeadlessError> {

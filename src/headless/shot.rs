@@ -4,7 +4,7 @@ use super::fault;
 use super::paper::PictureSize;
 use crate::frame::Frame;
 use crate::objects::{Cameras, build_frame_scaled};
-use crate::render::png::{EncodingError, Remark, encode_marked};
+use crate::render::png::{EncodingError, Remark, encode_rows};
 use crate::render::{Canvas, Gpu, GpuError, Painter, Pixels};
 use crate::scene::Scene;
 use crate::sim::Simulation;
@@ -116,8 +116,8 @@ impl<'a> Studio<'a> {
     /// # Errors
     /// What the device reports.
     pub fn draw(&mut self, frame: &Frame) -> Result<Pixels, HeadlessError> {
-        self.painter.draw_on(self.gpu, &self.canvas, frame);
-        Ok(self.canvas.read(self.gpu)?)
+        let reading = self.painter.draw_on(self.gpu, &self.canvas, frame);
+        Ok(self.canvas.finish_read(self.gpu, &reading)?)
     }
 }
 
@@ -133,7 +133,9 @@ pub fn shot(
     options: &ShotOptions,
     remarks: &[Remark],
 ) -> Result<Vec<u8>, HeadlessError> {
-    let mut studio = Studio::new(gpu, options.size.pixels)?;
-    let pixels = studio.draw(&options.frame(scene, simulation, &Cameras::new(&scene.view)))?;
-    Ok(encode_marked(&pixels, options.transparent, remarks, options.size.pixels_per_metre())?)
+    let frame = options.frame(scene, simulation, &Cameras::new(&scene.view));
+    let size = options.size.pixels;
+    encode_rows(size, options.transparent, remarks, options.size.pixels_per_metre(), |take| {
+        Painter::new(gpu).draw_rows(gpu, &frame, size, |row| take(row).map_err(HeadlessError::from))
+    })
 }

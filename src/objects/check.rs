@@ -50,7 +50,7 @@ mod tests {
         for (key, name, hint) in [
             ("show", "axis-tail", "object `axis-tail` is not known: the nearest is `axis-trail`"),
             ("hide", "shadows", "object `shadows` is not known: the nearest is `shadow`"),
-            ("hide", "floor", "object `floor` is not known: `dzhanibekov objects` lists them"),
+            ("hide", "carpet", "object `carpet` is not known: `dzhanibekov objects` lists them"),
         ] {
             for place in [format!("view.{key}"), format!("[[step]]\n[[step]]\n{key}")] {
                 let file = SceneFile::parse(&format!("{place} = [\"body\", \"all\", \"{name}\"]"))?;

@@ -19,6 +19,7 @@ fn places(pane: &Pane) -> impl Iterator<Item = Vec3> + '_ {
     let vertices = pane.meshes.iter().flat_map(|mesh| mesh.vertices.iter().map(|vertex| vertex.position));
     let on_lines = pane.lines.iter().flat_map(|line| line.points.iter().map(|point| point.position));
     let marks = pane.markers.iter().map(|marker| marker.position);
+    let marks = marks.chain(pane.dots.iter().map(|dot| dot.position));
     vertices.chain(on_lines).chain(marks).chain(pane.labels.iter().map(|label| label.anchor))
 }
 
@@ -117,6 +118,113 @@ fn the_ellipsoid_touches_the_plane_opposite_the_tip_of_the_angular_velocity() ->
         assert!((unit.length() - 1.0).abs() < 1e-5, "{unit}");
         let normal = (pair.first.unit_from_world.transpose() * unit.extend(0.0)).truncate().normalize();
         assert!(normal.z < -1.0 + 1e-6, "{normal}");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_cloud_is_dots_of_the_sphere_and_a_few_bodies_and_says_where_it_knows_nothing() -> Result<(), SceneError> {
+    let mut file = preset("cloud")?.read()?;
+    let frame = frame_of(&check(&file)?, 3.0, 16.0 / 9.0);
+    let dots = &frame.panes[1].dots;
+    let count = check(&file)?.cloud.count;
+    // Few lie so close that one hides another.
+    assert!(dots.len() <= count && dots.len() > count / 2, "{} of {count}", dots.len());
+    assert!(dots.iter().all(|dot| (dot.position.length() - 1.0).abs() < 1e-5));
+    assert_eq!(frame.panes[0].meshes.iter().filter(|mesh| !mesh.opaque && mesh.vertices.len() == 24).count(), 6);
+    file.motion.energy_loss = Some(0.1);
+    let frame = frame_of(&check(&file)?, 3.0, 16.0 / 9.0);
+    assert!(frame.panes[1].dots.is_empty());
+    assert!(frame.panes[1].notes.iter().any(|note| note.text == "the cloud of starts knows no energy loss"));
+    Ok(())
+}
+
+/// The frame of a scene in which nothing but these is drawn.
+fn alone(name: &str, shown: &[&str], time: f64) -> Result<Frame, SceneError> {
+    let mut file = preset(name)?.read()?;
+    file.view.show = shown.iter().map(|name| (*name).to_owned()).collect();
+    file.view.hide =
+        OBJECTS.iter().map(|object| object.name).filter(|name| !shown.contains(name)).map(str::to_owned).collect();
+    Ok(frame_of(&check(&file)?, time, 16.0 / 9.0))
+}
+
+/// Every arrowhead points along the rate of M there, and goes that way as fast as M would.
+#[test]
+fn the_flow_is_that_of_the_motion() -> Result<(), SceneError> {
+    for name in ["flip", "symmetric-top", "t-handle"] {
+        let scene = check(&preset(name)?.read()?)?;
+        let body = &scene.body;
+        let ell = crate::physics::so3::norm(scene.start.body_momentum);
+        let heads = |time: f64| -> Result<Vec<[Vec3; 3]>, SceneError> {
+            let frame = alone(name, &["flow"], time)?;
+            let points = |line: &crate::frame::Line| [0, 1, 2].map(|n| line.points[n].position);
+            Ok(frame.panes[1].lines.iter().map(points).collect())
+        };
+        let (now, later) = (heads(0.700)?, heads(0.701)?);
+        assert!(now.len() >= 40 && now.len() == later.len(), "{name}: {} and {}", now.len(), later.len());
+        let mut slow = 0;
+        for (now, later) in now.iter().zip(&later) {
+            let [middle, then] = [now, later].map(|[one, tip, other]| (0.5 * (*one + *other) + *tip) * 0.5);
+            let momentum = body.body_from_principal() * middle.as_dvec3().normalize() * ell;
+            let rate = crate::physics::motion::momentum_rate(body, momentum) / ell;
+            let rate = (body.body_from_principal().transpose() * rate).as_vec3();
+            let along = now[1] - 0.5 * (now[0] + now[2]);
+            // An arrowhead spans 0.06 rad, over which the rate turns by some such angle; beside an axis, where it is small, by any.
+            let is_slow = rate.length() < 0.5;
+            slow += usize::from(is_slow);
+            assert!(is_slow || along.normalize().dot(rate.normalize_or_zero()) > 0.9, "{name}: {along} {rate}");
+            let moved = (then - middle) / 0.001;
+            // Its middle is 0.01 off the place that it stands for.
+            assert!((moved - rate).length() < 0.1 * rate.length() + 0.15, "{name}: {moved} {rate}");
+        }
+        assert!(slow < now.len() / 2, "{name}: {slow} of {}", now.len());
+    }
+    Ok(())
+}
+
+/// The two lines on the floor are Δψ apart, and the body's mark is at the second when M has come round.
+#[test]
+fn on_the_floor_stands_how_far_the_body_has_turned() -> Result<(), SceneError> {
+    for name in ["turn", "axis-1", "flip"] {
+        let scene = check(&preset(name)?.read()?)?;
+        let period = crate::physics::period::period_of(&scene.body, &scene.start).ok_or(SceneError::TooFast(0.0))?;
+        let lines = |time: f64| -> Result<[Vec2; 2], SceneError> {
+            let frame = alone(name, &["turn"], time)?;
+            let of = |n: usize| {
+                let line = &frame.panes[0].lines[n];
+                (line.points[1].position - line.points[0].position).truncate().normalize()
+            };
+            Ok([of(0), of(1)])
+        };
+        let [first, second] = lines(0.0)?;
+        let turned = Vec2::from_angle((period.turn % std::f64::consts::TAU) as f32).rotate(first);
+        assert!(turned.distance(second) < 1e-4, "{name}: {turned} {second}");
+        // They do not move.
+        let later = lines(0.4 * period.time)?;
+        assert!(later[0].distance(first) < 1e-4 && later[1].distance(second) < 1e-4, "{name}");
+    }
+    Ok(())
+}
+
+/// The shaded part of the sphere has the area that is written beside it.
+#[test]
+fn the_shaded_part_of_the_sphere_is_the_solid_angle() -> Result<(), SceneError> {
+    for name in ["turn", "axis-1", "axis-3", "flip"] {
+        let scene = check(&preset(name)?.read()?)?;
+        let period = crate::physics::period::period_of(&scene.body, &scene.start).ok_or(SceneError::TooFast(0.0))?;
+        let frame = alone(name, &["solid-angle"], 0.3)?;
+        let mesh = &frame.panes[1].meshes[0];
+        let at = |n: u32| mesh.vertices[n as usize].position;
+        let areas = mesh.indices.chunks_exact(3).map(|corners| {
+            let [a, b, c] = [at(corners[0]), at(corners[1]), at(corners[2])];
+            let across = (b - a).cross(c - a);
+            // Seen from outside they are counter-clockwise.
+            assert!(across.dot(a + b + c) > -1e-6, "{name}");
+            0.5 * across.length()
+        });
+        let area: f32 = areas.sum();
+        // Flat triangles of a rim of 145 points and 12 rings leave out a part of (2π/145)²/6 and (π/24)²/6 or so.
+        assert!((f64::from(area) / period.solid_angle.abs() - 1.0).abs() < 0.005, "{name}: {area} {period:?}");
     }
     Ok(())
 }

@@ -8,7 +8,7 @@ use crate::frame::{Line, Pane};
 use crate::physics::{Body, poinsot};
 
 /// Paths round each stable pole.
-const PATHS: u32 = 2;
+pub(super) const PATHS: u32 = 2;
 const POINTS: usize = 120;
 /// Less than a pixel in a picture 2160 pixels high: these lines are faint, and each point is paid for where there is no GPU.
 const TOLERANCE: f32 = 1e-3;

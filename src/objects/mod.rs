@@ -7,9 +7,11 @@ mod axes;
 mod body;
 mod body_axes;
 mod check;
+mod cloud;
 mod context;
 mod curve;
 mod floor;
+mod flow;
 #[cfg(test)]
 mod frames_test;
 mod ghosts;
@@ -26,6 +28,7 @@ mod surfaces;
 mod theme;
 mod tip;
 mod track;
+mod turn;
 mod vectors;
 mod way;
 
@@ -144,6 +147,15 @@ const MOMENTUM: Object = object(
     true,
     vectors::momentum,
     "The arrow of the angular momentum, which never moves",
+);
+/// Paths of their own, that the flow runs along where they are shown.
+const RINGS: Object = object(
+    "rings",
+    "Rings round axes 1 and 3",
+    Momentum,
+    false,
+    rings::draw,
+    "The paths of M at other energies, each in the colour of the axis that it circles",
 );
 /// The tip of M, which can be dragged where it is drawn.
 pub const TIP: Object = object("tip", "Tip of M", Momentum, true, tip::tip, "The tip of M, and the arrow to it");
@@ -272,6 +284,22 @@ pub static OBJECTS: &[Object] = &[
         ghosts::bodies,
         "The bodies of the methods that are compared, seen through",
     ),
+    object(
+        "cloud-bodies",
+        "Bodies of the cloud",
+        World,
+        false,
+        cloud::bodies,
+        "A handful of bodies that started close together, seen through",
+    ),
+    object(
+        "turn",
+        "Turn in one period",
+        World,
+        false,
+        turn::turn,
+        "The angle by which the body has turned about L when M has come round once",
+    ),
     MOMENTUM,
     object(
         "omega",
@@ -316,14 +344,7 @@ pub static OBJECTS: &[Object] = &[
         level_sets::draw,
         "The paths of M at other energies, on the sphere",
     ),
-    object(
-        "rings",
-        "Rings round axes 1 and 3",
-        Momentum,
-        false,
-        rings::draw,
-        "The paths of M at other energies, each in the colour of the axis that it circles",
-    ),
+    RINGS,
     object(
         "separatrix",
         "Separatrix",
@@ -333,12 +354,36 @@ pub static OBJECTS: &[Object] = &[
         "The two circles' border between paths about axis 1 and about axis 3",
     ),
     object(
+        "flow",
+        "Flow",
+        Momentum,
+        false,
+        flow::draw,
+        "Arrowheads that run along the levels of the energy as M would there",
+    ),
+    object(
+        "solid-angle",
+        "Solid angle of M's path",
+        Momentum,
+        false,
+        turn::solid_angle,
+        "The part of the sphere that M goes round, and its solid angle",
+    ),
+    object(
         "poles",
         "Steady spins",
         Momentum,
         true,
         axes::poles,
         "The six steady spins: stable ones dots, unstable ones crosses",
+    ),
+    object(
+        "cloud",
+        "Cloud of starts",
+        Momentum,
+        false,
+        cloud::points,
+        "Starts close together round each axis, all followed exactly",
     ),
     object("polhode", "Polhode", Momentum, true, polhode::draw, "The path of M: where sphere and ellipsoid cross"),
     object(

@@ -20,6 +20,7 @@ const MOST_OF_A_PANE: f32 = 0.25;
 
 /// Of the world.
 pub(super) fn world(context: &Context<'_>, pane: &mut Pane) {
+    let others = std::mem::take(&mut pane.notes);
     // L is spoken of where it is seen.
     let words = if context.shows(&super::MOMENTUM) { "seen from the world: L stays" } else { "seen from the world" };
     caption(context, pane, words);
@@ -27,6 +28,7 @@ pub(super) fn world(context: &Context<'_>, pane: &mut Pane) {
         let left = 100.0 * (1.0 + context.simulation.energy_error());
         caption(context, pane, &format!("energy is lost: {left:.0} % of K is left"));
     }
+    pane.notes.extend(others);
     legend(context, pane);
 }
 
@@ -61,7 +63,9 @@ pub(super) fn momentum_space(context: &Context<'_>, pane: &mut Pane) {
     } else {
         ""
     };
+    let others = std::mem::take(&mut pane.notes);
     caption(context, pane, &format!("seen from the body: M is L{unit}"));
+    pane.notes.extend(others);
     if context.settings.layout == Layout::Body {
         legend(context, pane);
     }

@@ -5,7 +5,7 @@ use crate::frame::{Line, Pane};
 use crate::physics::poinsot;
 
 /// Rings round each end of an axis.
-const RINGS: u32 = 4;
+pub(super) const RINGS: u32 = 4;
 const POINTS: usize = 160;
 /// Less than a pixel in a picture 2160 pixels high.
 const TOLERANCE: f32 = 6e-4;

@@ -14,6 +14,7 @@ pub mod methods;
 pub mod motion;
 mod number;
 mod orbit;
+pub mod period;
 pub mod poinsot;
 mod principal;
 pub mod so3;

@@ -4,6 +4,7 @@ use std::mem::offset_of;
 
 use wgpu::naga;
 
+use super::dots::DotData;
 use super::mesh::VertexData;
 use super::overlay::{self, QuadData, ViewUniform};
 use super::pane::PaneUniform;
@@ -94,6 +95,11 @@ macro_rules! same_inputs {
 #[test]
 fn vertices_hold_what_the_shaders_read() {
     same_inputs!(include_str!("../../shaders/mesh.wgsl"), VertexData, position, normal, color);
+    // Its colour is of bytes, which the device makes four numbers of.
+    let dots = inputs(include_str!("../../shaders/dots.wgsl"));
+    let expected =
+        vec![("place".to_owned(), offset_of!(DotData, place)), ("color".to_owned(), offset_of!(DotData, color))];
+    assert_eq!((dots.0, size_of::<DotData>()), (expected, 16 + 4));
     same_inputs!(&overlay::source(), QuadData, position, place, form, measures, style, color, other_color);
     let solids = [include_str!("../../shaders/solids.wgsl"), include_str!("../../shaders/solids_of_pixels.wgsl")];
     same_inputs!(&solids.concat(), PlacedData, ndc, shift);

@@ -3,6 +3,7 @@
 mod attempts;
 mod buffer;
 mod compose;
+mod dots;
 mod glyphs;
 mod gpu;
 mod labels;

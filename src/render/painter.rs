@@ -1,8 +1,9 @@
 //! Draws frames where they are wanted: one painter for the window, the page, panels drawn with no window and pictures for files.
 
 use super::compose::Compose;
-use super::gpu::Gpu;
-use super::readback::Canvas;
+use super::gpu::{Gpu, GpuError};
+use super::part::{Part, rows_of_band};
+use super::readback::{Canvas, Reading};
 use super::renderer::{Renderer, point_size};
 use crate::frame::Frame;
 
@@ -26,10 +27,44 @@ impl Painter {
         Self { compose: Some(Compose::new(gpu, format)), ..Self::new(gpu) }
     }
 
-    /// Draws a frame on a canvas, as a file shows it. Submits the work and does not wait for it.
-    pub fn draw_on(&mut self, gpu: &Gpu, canvas: &Canvas, frame: &Frame) {
+    /// Draws a frame on a canvas, as a file shows it, and asks for it. Submits the work and does not wait for it.
+    pub fn draw_on(&mut self, gpu: &Gpu, canvas: &Canvas, frame: &Frame) -> Reading {
         let size = canvas.size();
-        self.renderer.render(gpu, frame, canvas.view(), size, point_size(size));
+        self.renderer.prepare(gpu, frame, size, point_size(size));
+        let mut last = None;
+        for band in canvas.bands() {
+            self.renderer.draw(gpu, canvas.view(), band);
+            last = Some(canvas.take_band(gpu, band.low[1]));
+        }
+        last.map_or_else(|| canvas.begin_read(gpu), |last| canvas.ask(last))
+    }
+
+    /// Draws a frame as on a [`Canvas`] of this size, and hands over its rows from the top; the picture is never in memory as a
+    /// whole, and each band of it is taken while the next one is drawn. Waits, so it is not for a browser.
+    ///
+    /// # Errors
+    /// What the device reports, or what `take` returns.
+    pub fn draw_rows<E: From<GpuError>>(
+        &mut self,
+        gpu: &Gpu,
+        frame: &Frame,
+        size: [u32; 2],
+        mut take: impl FnMut(&[u8]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let [width, height] = size;
+        let rows = rows_of_band(size);
+        let canvases = [(); 2].map(|()| Canvas::whole(gpu, [width, rows]));
+        gpu.check()?;
+        self.renderer.prepare(gpu, frame, size, point_size(size));
+        let mut under_way: Option<(&Canvas, Reading, u32)> = None;
+        for (canvas, top) in canvases.iter().cycle().zip((0..height).step_by(rows.max(1) as usize)) {
+            self.renderer.draw(gpu, canvas.view(), Part { low: [0, top], size: canvas.size() });
+            let before = under_way.replace((canvas, canvas.begin_read(gpu), rows.min(height - top)));
+            if let Some((canvas, reading, rows)) = before {
+                canvas.finish_rows(gpu, &reading, rows, &mut take)?;
+            }
+        }
+        under_way.map_or(Ok(()), |(canvas, reading, rows)| canvas.finish_rows(gpu, &reading, rows, &mut take))
     }
 
     /// Gives the window's picture its size; true where its content is thereby lost.

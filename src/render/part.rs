@@ -2,6 +2,16 @@
 
 use glam::Vec2;
 
+/// About so many pixels of a picture are drawn at once: memory does not grow with the picture, and fresh memory costs time.
+const BAND: u64 = 1 << 19;
+
+/// How many rows of a picture of this size are drawn at once. The same for all that is no window: where a pixel lies in what is
+/// drawn at once may turn the last bit of its colour, and a frame of a film is to be the picture of its moment.
+pub(super) fn rows_of_band([width, height]: [u32; 2]) -> u32 {
+    let bands = (u64::from(width) * u64::from(height)).div_ceil(BAND);
+    height.div_ceil(bands.clamp(1, u64::from(height.max(1))) as u32)
+}
+
 /// A rectangle of whole pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Part {
@@ -42,7 +52,7 @@ impl Part {
 
 #[cfg(test)]
 mod tests {
-    use super::Part;
+    use super::{Part, rows_of_band};
     use glam::Vec2;
 
     #[test]
@@ -55,5 +65,15 @@ mod tests {
         assert_eq!(right, Part { low: [3, 10], size: [4, 5] });
         assert!(band.within(Vec2::ZERO, Vec2::new(7.0, 9.0)).is_empty());
         assert_eq!(band.within(Vec2::splat(-9.0), Vec2::splat(99.0)), band);
+    }
+    #[test]
+    fn bands_are_of_about_one_size_and_hold_the_whole_picture() {
+        assert_eq!(rows_of_band([640, 360]), 360);
+        // Two and four of the least number that is enough.
+        assert_eq!(rows_of_band([1280, 720]), 360);
+        assert_eq!(rows_of_band([1920, 1080]), 270);
+        // Never less than a row, however wide.
+        assert_eq!(rows_of_band([8192, 1]), 1);
+        assert_eq!(rows_of_band([1 << 23, 3]), 1);
     }
 }

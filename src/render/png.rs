@@ -1,10 +1,13 @@
 //! A picture as a PNG file, encoded fast: for pictures written with no window, and for those that the window or the page writes.
 
-use std::io;
+use std::io::{self, Write};
 
 use super::readback::Pixels;
 
 pub use png::EncodingError;
+
+/// The most bytes that a piece of a file holds.
+const CHUNK: usize = 1 << 16;
 
 /// What the file says of itself: a keyword of the PNG standard and its text.
 pub type Remark = (&'static str, String);
@@ -28,14 +31,39 @@ pub fn encode_marked(
     remarks: &[Remark],
     pixels_per_metre: Option<u32>,
 ) -> Result<Vec<u8>, EncodingError> {
+    encode_rows(pixels.size, transparent, remarks, pixels_per_metre, |take| {
+        pixels.rgba.chunks_exact(4 * pixels.size[0].max(1) as usize).try_for_each(take)
+    })
+}
+
+/// As [`encode_marked`], from rows (as those of [`Pixels`]) that are handed over one by one, from the top: the picture is never
+/// in memory as a whole.
+///
+/// # Errors
+/// Those of `draw`, and where it hands over too few rows.
+pub fn encode_rows<E: From<EncodingError>>(
+    size: [u32; 2],
+    transparent: bool,
+    remarks: &[Remark],
+    pixels_per_metre: Option<u32>,
+    draw: impl FnOnce(&mut dyn FnMut(&[u8]) -> Result<(), EncodingError>) -> Result<(), E>,
+) -> Result<Vec<u8>, E> {
     let mut bytes = vec![];
-    let mut encoder = encoder(&mut bytes, pixels.size, transparent);
+    let mut encoder = encoder(&mut bytes, size, transparent);
     encoder.set_pixel_dims(pixels_per_metre.map(density));
     for (keyword, text) in remarks {
         encoder.add_itxt_chunk((*keyword).to_owned(), text.clone())?;
     }
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(&colours(pixels, transparent))?;
+    let mut stream = writer.stream_writer_with_size(CHUNK)?;
+    let mut row = vec![];
+    draw(&mut |rgba| {
+        append_colours(rgba, transparent, &mut row);
+        let outcome = stream.write_all(&row).map_err(EncodingError::IoError);
+        row.clear();
+        outcome
+    })?;
+    stream.finish()?;
     writer.finish()?;
     Ok(bytes)
 }
@@ -53,10 +81,17 @@ pub fn encoder<W: io::Write>(writer: W, [width, height]: [u32; 2], transparent: 
 /// The bytes that [`encoder`] takes.
 #[must_use]
 pub fn colours(pixels: &Pixels, transparent: bool) -> Vec<u8> {
+    let mut colours = Vec::with_capacity(pixels.rgba.len());
+    append_colours(&pixels.rgba, transparent, &mut colours);
+    colours
+}
+
+/// Adds the bytes that stand for some pixels.
+fn append_colours(rgba: &[u8], transparent: bool, colours: &mut Vec<u8>) {
     if transparent {
-        straight(&pixels.rgba)
+        append_straight(rgba, colours);
     } else {
-        pixels.rgba.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect()
+        colours.extend(rgba.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]));
     }
 }
 
@@ -83,10 +118,11 @@ pub fn is_whole(bytes: &[u8], size: [u32; 2], remarks: &[Remark], pixels_per_met
     is_marked && [info.width, info.height] == size && remarks.iter().all(is_said)
 }
 
-/// Divides the colours by the opacity.
-fn straight(premultiplied: &[u8]) -> Vec<u8> {
-    let mut straight = premultiplied.to_vec();
-    for pixel in straight.chunks_exact_mut(4) {
+/// Adds colours divided by their opacity.
+fn append_straight(premultiplied: &[u8], colours: &mut Vec<u8>) {
+    let start = colours.len();
+    colours.extend_from_slice(premultiplied);
+    for pixel in colours[start..].chunks_exact_mut(4) {
         let alpha = u32::from(pixel[3]);
         if alpha == 0 || alpha == 255 {
             continue;
@@ -95,7 +131,6 @@ fn straight(premultiplied: &[u8]) -> Vec<u8> {
             *channel = ((u32::from(*channel) * 255 + alpha / 2) / alpha).min(255) as u8;
         }
     }
-    straight
 }
 
 #[cfg(test)]

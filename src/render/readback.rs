@@ -3,6 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::gpu::{Gpu, GpuError};
+use super::part::{Part, rows_of_band};
 use super::targets::{FORMAT, extent};
 
 /// A texture to draw into and to read back from: a picture at a time.
@@ -11,6 +12,8 @@ pub struct Canvas {
     view: wgpu::TextureView,
     staging: wgpu::Buffer,
     size: [u32; 2],
+    /// How many rows the texture has: the picture's, or those of one of its bands.
+    rows: u32,
 }
 
 /// A picture on its way back from the device.
@@ -31,6 +34,29 @@ pub struct Pixels {
     pub rgba: Vec<u8>,
 }
 
+impl Reading {
+    /// Waits for it, and for nothing drawn after it.
+    fn wait(&self, gpu: &Gpu) -> Result<(), GpuError> {
+        let submission_index = Some(self.submission.clone());
+        let polled = gpu.device.poll(wgpu::PollType::Wait { submission_index, timeout: None });
+        if self.has_arrived(gpu)? {
+            return Ok(());
+        }
+        let cause = polled.err().map_or_else(|| "the picture did not come back".to_owned(), |cause| cause.to_string());
+        Err(GpuError::Drawing(cause))
+    }
+
+    /// Whether the picture has arrived.
+    fn has_arrived(&self, gpu: &Gpu) -> Result<bool, GpuError> {
+        gpu.check()?;
+        match self.arrived.get() {
+            None => Ok(false),
+            Some(Err(cause)) => Err(GpuError::Drawing(cause.to_string())),
+            Some(Ok(())) => Ok(true),
+        }
+    }
+}
+
 impl Canvas {
     /// The most pixels of a picture, whatever its shape, that the device gives back in one piece.
     #[must_use]
@@ -45,12 +71,22 @@ impl Canvas {
             && u64::from(row_bytes(width)) * u64::from(height) <= gpu.device.limits().max_buffer_size
     }
 
-    /// A canvas of this width and height, which must be such that it [fits](Self::fits).
+    /// A canvas of this width and height, which must be such that it [fits](Self::fits), for frames that are drawn band by band.
     #[must_use]
     pub fn new(gpu: &Gpu, size: [u32; 2]) -> Self {
+        Self::with_rows(gpu, size, rows_of_band(size))
+    }
+
+    /// One that is drawn at once, whatever draws on it.
+    #[must_use]
+    pub fn whole(gpu: &Gpu, size: [u32; 2]) -> Self {
+        Self::with_rows(gpu, size, size[1])
+    }
+
+    fn with_rows(gpu: &Gpu, size: [u32; 2], rows: u32) -> Self {
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("canvas"),
-            size: extent(size),
+            size: extent([size[0], rows]),
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
@@ -65,7 +101,7 @@ impl Canvas {
             mapped_at_creation: false,
         });
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        Self { texture, view, staging, size }
+        Self { texture, view, staging, size, rows }
     }
 
     /// What a renderer draws into.
@@ -80,6 +116,12 @@ impl Canvas {
         self.size
     }
 
+    /// The parts of the picture that are drawn one after the other.
+    pub(super) fn bands(&self) -> impl Iterator<Item = Part> + use<> {
+        let ([width, height], rows) = (self.size, self.rows);
+        (0..height).step_by(rows.max(1) as usize).map(move |top| Part { low: [0, top], size: [width, rows] })
+    }
+
     /// Waits for the drawing and copies the picture out; not in a browser, where nothing may wait.
     ///
     /// # Errors
@@ -89,23 +131,33 @@ impl Canvas {
         self.finish_read(gpu, &reading)
     }
 
-    /// Asks for what was drawn so far, without waiting: the device goes on while another canvas is prepared.
+    /// Asks for what was drawn so far at once, without waiting: the device goes on while another canvas is prepared.
     #[must_use]
     pub fn begin_read(&self, gpu: &Gpu) -> Reading {
+        self.ask(self.take_band(gpu, 0))
+    }
+
+    /// Has the band that was drawn copied to its place, `top` rows from the picture's first.
+    pub(super) fn take_band(&self, gpu: &Gpu, top: u32) -> wgpu::SubmissionIndex {
+        let [width, height] = self.size;
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encoder.copy_texture_to_buffer(
             self.texture.as_image_copy(),
             wgpu::TexelCopyBufferInfo {
                 buffer: &self.staging,
                 layout: wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(row_bytes(self.size[0])),
+                    offset: u64::from(row_bytes(width)) * u64::from(top),
+                    bytes_per_row: Some(row_bytes(width)),
                     rows_per_image: None,
                 },
             },
-            extent(self.size),
+            extent([width, self.rows.min(height - top)]),
         );
-        let submission = gpu.queue.submit([encoder.finish()]);
+        gpu.queue.submit([encoder.finish()])
+    }
+
+    /// Asks for the picture, of which this was the last to be submitted.
+    pub(super) fn ask(&self, submission: wgpu::SubmissionIndex) -> Reading {
         let arrived = Arc::new(OnceLock::new());
         let slot = Arc::clone(&arrived);
         self.staging.map_async(wgpu::MapMode::Read, .., move |outcome| {
@@ -120,12 +172,7 @@ impl Canvas {
     /// # Errors
     /// What the device has reported since the last call.
     pub fn try_read(&self, gpu: &Gpu, reading: &Reading) -> Result<Option<Pixels>, GpuError> {
-        gpu.check()?;
-        match reading.arrived.get() {
-            None => Ok(None),
-            Some(Err(cause)) => Err(GpuError::Drawing(cause.to_string())),
-            Some(Ok(())) => self.copied_out().map(Some),
-        }
+        if reading.has_arrived(gpu)? { self.copied_out().map(Some) } else { Ok(None) }
     }
 
     /// Waits for the picture that [`Self::begin_read`] asked for, and for nothing drawn after it.
@@ -133,13 +180,29 @@ impl Canvas {
     /// # Errors
     /// What the device has reported since the last call.
     pub fn finish_read(&self, gpu: &Gpu, reading: &Reading) -> Result<Pixels, GpuError> {
-        let submission_index = Some(reading.submission.clone());
-        let polled = gpu.device.poll(wgpu::PollType::Wait { submission_index, timeout: None });
-        if let Some(pixels) = self.try_read(gpu, reading)? {
-            return Ok(pixels);
-        }
-        let cause = polled.err().map_or_else(|| "the picture did not come back".to_owned(), |cause| cause.to_string());
-        Err(GpuError::Drawing(cause))
+        reading.wait(gpu)?;
+        self.copied_out()
+    }
+
+    /// Waits for the picture that [`Self::begin_read`] asked for, and hands over so many of its rows as they lie in memory.
+    ///
+    /// # Errors
+    /// What the device has reported since the last call, or what `take` returns.
+    pub(super) fn finish_rows<E: From<GpuError>>(
+        &self,
+        gpu: &Gpu,
+        reading: &Reading,
+        rows: u32,
+        mut take: impl FnMut(&[u8]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        reading.wait(gpu)?;
+        let bytes = self.staging.get_mapped_range(..).map_err(|cause| GpuError::Drawing(cause.to_string()))?;
+        let width = self.size[0];
+        let mut rows = bytes.chunks_exact(row_bytes(width) as usize).take(rows as usize);
+        let outcome = rows.try_for_each(|row| take(&row[..4 * width as usize]));
+        drop(bytes);
+        self.staging.unmap();
+        outcome
     }
 
     /// The picture, which has arrived.

@@ -5,6 +5,7 @@ use std::ops::Range;
 use glam::Vec2;
 
 use super::buffer::UniformBuffer;
+use super::dots::Dots;
 use super::gpu::Gpu;
 use super::mesh::Meshes;
 use super::notes;
@@ -31,6 +32,7 @@ pub(super) struct Renderer {
     panes: UniformBuffer,
     meshes: Meshes,
     quadrics: Quadrics,
+    dots: Dots,
     overlays: Overlays,
     texts: Texts,
     solids: Solids,
@@ -74,6 +76,7 @@ impl Renderer {
             overlays: Overlays::new(&gpu.device),
             meshes: Meshes::new(),
             quadrics: Quadrics::new(&gpu.device),
+            dots: Dots::new(),
             texts: Texts::new(),
             solids: Solids::new(gpu),
             depths: None,
@@ -100,6 +103,7 @@ impl Renderer {
         let maker = PipelineMaker { device, pane_layout: self.panes.layout() };
         self.meshes.upload(&maker, queue, frame, &uniforms, !self.solids.reads_samples);
         self.quadrics.upload(&maker, queue, frame, &uniforms);
+        self.dots.upload(&maker, queue, frame.panes.iter());
 
         let notes = self.texts.lay_out_notes(frame, picture, point);
         let mut corners = vec![];
@@ -185,6 +189,7 @@ impl Renderer {
                 self.quadrics.draw_far_walls(pass, pane);
                 if !any_hollow {
                     self.quadrics.draw_near_walls(pass, pane);
+                    self.dots.draw(pass, pane);
                 }
             });
         }
@@ -196,7 +201,10 @@ impl Renderer {
                 }
             });
             let mut pass = surfaces_pass(&mut encoder, target, &depths.view, None);
-            self.each_pane(&mut pass, part, |pass, pane| self.quadrics.draw_near_walls(pass, pane));
+            self.each_pane(&mut pass, part, |pass, pane| {
+                self.quadrics.draw_near_walls(pass, pane);
+                self.dots.draw(pass, pane);
+            });
         }
         self.draw_overlays(&mut encoder, target, part, |pass, number, pane| {
             if !is_hollow(number) {

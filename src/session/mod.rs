@@ -414,7 +414,7 @@ impl Session {
         self.scenes += 1;
         let (now, then) = (&self.scene.file, &before.file);
         let is_same_motion = now.body == then.body && now.spin == then.spin;
-        if !(is_same_motion && now.motion == then.motion) {
+        if !(is_same_motion && now.motion == then.motion && now.cloud == then.cloud) {
             self.begin(is_same_motion.then(|| self.sim.time()));
         }
         self.preview = None;

@@ -2,6 +2,7 @@
 
 mod checkpoints;
 mod clock;
+mod cloud;
 mod flips;
 mod history;
 mod simulation;
@@ -10,6 +11,7 @@ mod slowing;
 mod tests;
 
 pub use clock::{Clock, Tick};
+pub use cloud::Cloud;
 pub use flips::FlipWatch;
 pub use history::{Errors, History, Sample};
 pub use simulation::{Runner, Simulation};

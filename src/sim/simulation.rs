@@ -1,14 +1,16 @@
 //! A scene set in motion.
 
+use std::cell::OnceCell;
+
 use glam::DVec3;
 
 use crate::physics::{
     Body, Integration, Method, MethodError, Motion, State, method, methods::LOSS_METHOD, motion, so3,
 };
-use crate::scene::Scene;
+use crate::scene::{self, Scene};
 
 use super::checkpoints::Checkpoints;
-use super::{Clock, Tick};
+use super::{Clock, Cloud, Tick};
 
 /// Steps that can be counted without rounding.
 const COUNTABLE: f64 = 9e15;
@@ -113,6 +115,9 @@ pub struct Simulation {
     start: State,
     step: f64,
     energy_loss: f64,
+    /// What is said of the cloud, and the cloud itself from when it is first looked at.
+    cloud_wanted: scene::Cloud,
+    cloud: OnceCell<Cloud>,
     /// The clock.
     pub clock: Clock,
     time: f64,
@@ -125,13 +130,15 @@ impl Simulation {
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let compare = scene.compare.iter().copied();
-        Self::of_methods(&scene.body, scene.start, (scene.step, scene.energy_loss), scene.method, compare)
+        let numbers = (scene.step, scene.energy_loss);
+        Self::of_methods(&scene.body, scene.start, numbers, scene.cloud.clone(), scene.method, compare)
     }
 
     fn of_methods(
         body: &Body,
         start: State,
         (step, energy_loss): (f64, f64),
+        cloud_wanted: scene::Cloud,
         method: &'static Method,
         compare: impl Iterator<Item = &'static Method>,
     ) -> Self {
@@ -140,6 +147,8 @@ impl Simulation {
             start,
             step,
             energy_loss,
+            cloud_wanted,
+            cloud: OnceCell::new(),
             clock: Clock::default(),
             time: 0.0,
             main: Runner::new(body, start, method, step, energy_loss),
@@ -169,6 +178,11 @@ impl Simulation {
     #[must_use]
     pub fn energy_loss(&self) -> f64 {
         self.energy_loss
+    }
+
+    /// The scene's cloud of starts; all of its motions are exact and know no energy loss.
+    pub fn cloud(&self) -> &Cloud {
+        self.cloud.get_or_init(|| Cloud::new(&self.cloud_wanted, &self.body, &self.start))
     }
 
     /// Simulated time (s).
@@ -237,8 +251,9 @@ impl Simulation {
         let clock = self.clock;
         let compare = self.ghosts.iter().map(Runner::method);
         let numbers = (self.step, self.energy_loss);
-        *self = Self::of_methods(&self.body, self.start, numbers, self.main.method(), compare);
-        self.clock = clock;
+        let (wanted, cloud) = (self.cloud_wanted.clone(), std::mem::take(&mut self.cloud));
+        *self = Self::of_methods(&self.body, self.start, numbers, wanted, self.main.method(), compare);
+        (self.clock, self.cloud) = (clock, cloud);
         self.clock.clear();
     }
 
