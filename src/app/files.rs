@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::files;
 use crate::objects;
+use crate::scene::SceneFile;
 use crate::session::{Slide, slug};
 
 /// What is said of a file that is held over the window.
@@ -19,10 +20,18 @@ pub(super) fn offer(path: &Path) -> String {
 pub fn read_slides(path: &Path) -> Result<Vec<Slide>, String> {
     let scenes = files::read_scenes(path).map_err(|error| error.to_string())?;
     let checked = scenes.into_iter().map(|(name, file)| {
-        let file = file.and_then(|file| objects::check(&file).map(|_| file)).map_err(|error| error.to_string());
+        let checked = |file: SceneFile| objects::check(&file).map(|_| file);
+        let file = file.and_then(|link| checked(link.file)).map_err(|error| error.to_string());
         Slide { name, file }
     });
     Ok(checked.collect())
+}
+
+/// The step and the time (s) that a picture shows, where these are what was read of it.
+pub(super) fn moment_shown(path: &Path, read: &Result<Vec<Slide>, String>) -> Option<(Option<usize>, f64)> {
+    let [Slide { file: Ok(_), .. }] = read.as_deref().ok()? else { return None };
+    let link = files::read_scene(path).ok()?;
+    Some((link.step, link.time?))
 }
 
 /// Writes a new file `title-N.extension` in the working directory, `N` the first number that is free.

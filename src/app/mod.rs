@@ -49,6 +49,8 @@ pub struct WindowOptions {
     pub place: Option<PathBuf>,
     /// The time (s) that is gone to at first, as a link says it.
     pub time: Option<f64>,
+    /// Whether time stands there, as in a picture.
+    pub paused: bool,
 }
 
 /// Opens the window on a scene and returns when it is closed.
@@ -57,8 +59,8 @@ pub struct WindowOptions {
 /// No display, no graphics adapter, or a library missing: one sentence that says what to do about it.
 pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> {
     let event_loop = startup::connect()?;
-    // What is told in steps begins with the first, where no other one is asked for.
-    let at = scene.at.or(scene.file.first_step());
+    // What is told in steps begins with the first, where no other one is asked for; a picture shows what it shows.
+    let at = if options.paused { scene.at } else { scene.at.or(scene.file.first_step()) };
     let scene = objects::check_at(&scene.file, at).unwrap_or(scene);
     let remembered = remember::load();
     let slides = std::mem::take(&mut options.slides);
@@ -80,6 +82,9 @@ pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> 
     };
     if let Some(time) = app.options.time {
         app.session.apply(Command::GoTo(time), Instant::now());
+        if app.options.paused {
+            app.session.show_time(time);
+        }
     }
     app.watch = app
         .options
@@ -228,7 +233,11 @@ impl App {
                 if read.is_ok() {
                     self.watch = Watch::new(Path::new(&place), self.proxy.clone()).map(|watch| (place.clone(), watch));
                 }
+                let moment = files::moment_shown(Path::new(&place), &read);
                 self.session.open_slides(&place, read);
+                if let Some((step, time)) = moment {
+                    self.session.show_moment(step, time);
+                }
             }
             Effect::SaveText { place, title, text } => {
                 let written = match place {

@@ -271,7 +271,8 @@ impl OpenWindow {
         let mut frame = session.frame(aspect);
         frame.transparent = transparent;
         let pixels = self.screen.picture(&frame, [width, height])?;
-        let bytes = png::encode(&pixels, transparent, &[]).map_err(|error| error.to_string())?;
+        let bytes =
+            png::encode(&pixels, transparent, &session.remarks([width, height])).map_err(|error| error.to_string())?;
         let path = files::write_new(session.title(), "png", &bytes)?;
         Ok(format!("Written to {}", path.display()))
     }

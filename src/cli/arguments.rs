@@ -1,11 +1,15 @@
 //! Flags that several commands share: what overrides a scene, and what is said of a picture.
 
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use clap::Args;
+#[cfg(feature = "headless")]
+use clap::ValueEnum;
 
 use dzhanibekov::files;
-use dzhanibekov::scene::{DEFAULT_PRESET, Edit, Edits, Scene, SceneError, SceneFile, flags, link, preset};
+use dzhanibekov::scene::link::{self, Link};
+use dzhanibekov::scene::{DEFAULT_PRESET, Edit, Edits, Scene, SceneError, SceneFile, flags, preset};
 
 use super::failure::{Failure, say};
 use super::flags::{SceneFlags, ViewFlags as ViewArguments};
@@ -15,7 +19,8 @@ use super::size::SizeArguments;
 /// The scene and what is said over it.
 #[derive(Args, Debug)]
 pub(super) struct SceneArguments {
-    /// Name of a built-in scene, the path of a .toml file, or a link; for the window also a folder of files
+    /// Name of a built-in scene, the path of a .toml file or of a picture that the program drew, or a link; for the window also a
+    /// folder of files
     #[arg(value_name = "SCENE")]
     scene: Option<PathBuf>,
     #[command(flatten)]
@@ -23,6 +28,9 @@ pub(super) struct SceneArguments {
     /// Any key of a scene file (`dzhanibekov keys` lists them), the value as in TOML: spin.attitude=[1,0,0,0]
     #[arg(long, value_name = "KEY=VALUE", value_parser = Edit::set, help_heading = "Scene")]
     set: Vec<Edit>,
+    /// What SCENE says, once it is read: a pipe is read once.
+    #[arg(skip)]
+    said: OnceLock<Result<Link, String>>,
 }
 
 /// Everything that is said of a picture in a file, but its name.
@@ -44,12 +52,28 @@ pub(super) struct PictureArguments {
     /// No background: transparent where nothing is drawn
     #[arg(long, help_heading = "Picture")]
     pub(super) transparent: bool,
+    /// What the file says of itself: `plain`, what draws it again (opened, it is the scene), or `full`, the program's version too
+    #[arg(long, value_enum, value_name = "plain|full", hide_possible_values = true, help_heading = "Picture")]
+    pub(super) metadata: Option<Metadata>,
+    /// Let the file say nothing of itself
+    #[arg(long, conflicts_with = "metadata", help_heading = "Picture")]
+    pub(super) no_metadata: bool,
     /// Name (or a part of it) of the graphics adapter to draw with
     #[arg(long, value_name = "NAME", help_heading = "Picture")]
     pub(super) adapter: Option<String>,
     /// Say nothing but errors
     #[arg(long)]
     pub(super) quiet: bool,
+}
+
+/// How much a picture's file says of itself.
+#[cfg(feature = "headless")]
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Metadata {
+    /// What draws it again.
+    Plain,
+    /// The version of the program too.
+    Full,
 }
 
 /// Flags of `report`.
@@ -109,25 +133,35 @@ impl SceneArguments {
         step: Option<usize>,
         is_quiet: bool,
     ) -> Result<(Scene, Vec<String>), Failure> {
-        let opened = self.source().open()?;
+        let opened = self.opened()?;
         let scene = self.checked(&opened, view, step, is_quiet)?;
         let mut words = vec![opened.name];
         words.extend(flags(&opened.file, &scene.file));
         Ok((scene, words))
     }
 
-    /// The time (s) that a link says.
+    /// The time (s) that a link or a picture says.
     #[cfg(feature = "picture")]
     pub(super) fn time(&self) -> Option<f64> {
-        self.link()?.time
+        self.said().as_ref().ok()?.time
     }
 
-    /// The link that SCENE is.
-    fn link(&self) -> Option<link::Link> {
-        match self.source() {
-            Source::Link(text) => link::read(text).ok(),
-            Source::BuiltIn(_) | Source::Path(_) => None,
-        }
+    /// Whether a picture is named, which alone among files says a time.
+    #[cfg(feature = "window")]
+    pub(super) fn is_picture(&self) -> bool {
+        matches!(self.source(), Source::Path(_)) && self.time().is_some()
+    }
+
+    /// What SCENE says.
+    fn said(&self) -> &Result<Link, String> {
+        self.said.get_or_init(|| self.source().read())
+    }
+
+    /// The scene as it stands.
+    fn opened(&self) -> Result<Opened, Failure> {
+        let source = self.source();
+        let said = self.said().as_ref().map_err(|why| Failure::request(why.clone()))?;
+        Ok(Opened { name: source.name(), file: said.file.clone(), is_file: matches!(source, Source::Path(_)) })
     }
 
     /// An opened scene with what is said over it, at a step counted from 1.
@@ -142,7 +176,7 @@ impl SceneArguments {
         self.edits(view).apply(&mut file);
         // Before the first there is no step either: it is told as 0.
         let given = step.map(|step| step.checked_sub(1).unwrap_or(usize::MAX));
-        let scene = check(&file, given.or_else(|| self.link()?.step)).map_err(|error| {
+        let scene = check(&file, given.or_else(|| self.said().as_ref().ok()?.step)).map_err(|error| {
             let place = if opened.is_file { format!("{}: ", opened.name) } else { String::new() };
             Failure::request(format!("{place}{error}"))
         })?;
@@ -233,14 +267,21 @@ struct Opened {
 }
 
 impl Source<'_> {
-    fn open(&self) -> Result<Opened, Failure> {
+    /// How a command line names it.
+    fn name(&self) -> String {
         match self {
-            Self::BuiltIn(name) => Ok(Opened { name: (*name).to_owned(), file: preset(name)?.read()?, is_file: false }),
-            Self::Link(text) => Ok(Opened { name: (*text).to_owned(), file: link::read(text)?.file, is_file: false }),
-            Self::Path(path) => {
-                let (name, file) = read_file(path).map_err(Failure::request)?;
-                Ok(Opened { name, file, is_file: true })
-            }
+            Self::BuiltIn(word) | Self::Link(word) => (*word).to_owned(),
+            Self::Path(path) => path.display().to_string(),
+        }
+    }
+
+    /// What it says, or a sentence why it cannot be had.
+    fn read(&self) -> Result<Link, String> {
+        let built_in = |name: &str| Ok(Link { file: preset(name)?.read()?, ..Link::default() });
+        match self {
+            Self::BuiltIn(name) => built_in(name).map_err(|error: SceneError| error.to_string()),
+            Self::Link(text) => link::read(text).map_err(|error| error.to_string()),
+            Self::Path(path) => files::read_scene(path).map_err(|error| format!("{}: {error}", path.display())),
         }
     }
 }
@@ -251,13 +292,6 @@ fn check(file: &SceneFile, at: Option<usize>) -> Result<Scene, SceneError> {
     return dzhanibekov::objects::check_at(file, at);
     #[cfg(not(feature = "picture"))]
     Scene::check_at(file, at)
-}
-
-/// Reads a scene file; its path comes with it.
-fn read_file(path: &Path) -> Result<(String, SceneFile), String> {
-    let name = path.display().to_string();
-    let file = files::read_scene(path).map_err(|error| format!("{name}: {error}"))?;
-    Ok((name, file))
 }
 
 /// Reads numbers with commas between them.

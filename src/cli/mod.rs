@@ -14,6 +14,8 @@ mod quiet_driver;
 mod record;
 #[cfg(feature = "report")]
 mod report;
+#[cfg(feature = "headless")]
+mod sheet;
 mod signal;
 #[cfg(feature = "headless")]
 mod size;
@@ -207,7 +209,8 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
         let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
         let adapter = arguments.adapter.clone();
         let place = arguments.scene.place();
-        let options = dzhanibekov::app::WindowOptions { size, adapter, slides, place, time: arguments.scene.time() };
+        let (time, paused) = (arguments.scene.time(), arguments.scene.is_picture());
+        let options = dzhanibekov::app::WindowOptions { size, adapter, slides, place, time, paused };
         dzhanibekov::app::run(scene, options).map_err(|error| Failure::could_not(error.to_string()))
     }
     #[cfg(not(feature = "window"))]

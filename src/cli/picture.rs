@@ -8,15 +8,17 @@ use dzhanibekov::headless::{HeadlessError, ShotOptions, shot as draw};
 use dzhanibekov::physics::Method;
 use dzhanibekov::render::png::Remark;
 use dzhanibekov::render::{self, Gpu};
+use dzhanibekov::scene::carried::{self, Saying};
 use dzhanibekov::scene::{Scene, quoted};
 use dzhanibekov::sim::Simulation;
 use serde_json::json;
 
-use super::arguments::PictureArguments;
+use super::arguments::{Metadata, PictureArguments, number_list};
 use super::failure::{Failure, say};
 use super::lists::{ListArguments, print, table};
 use super::output::check_place;
 use super::quiet_driver::keep_quiet;
+use super::sheet::sheet;
 use super::signal;
 use super::times::{check_steps, short};
 
@@ -30,14 +32,29 @@ impl From<HeadlessError> for Failure {
 #[derive(Args, Debug)]
 pub(super) struct ShotArguments {
     #[command(flatten)]
-    picture: PictureArguments,
+    pub(super) picture: PictureArguments,
     /// File to write, or - for standard output
     #[arg(short, long, value_name = "FILE.png|-")]
-    output: PathBuf,
+    pub(super) output: PathBuf,
+    /// A sheet of the pictures at these times (s), each of --size; with --width or --height the sheet has that
+    #[arg(long, value_name = "T,T,…", allow_hyphen_values = true, value_parser = times, conflicts_with = "time", help_heading = "Picture")]
+    times: Option<Moments>,
+    /// Pictures in a row of the sheet
+    #[arg(long, value_name = "N", allow_hyphen_values = true, requires = "times", help_heading = "Picture")]
+    pub(super) columns: Option<usize>,
     /// With the window's panel in the picture
     #[cfg(feature = "window")]
-    #[arg(long, help_heading = "Picture", conflicts_with_all = ["transparent", "width", "height"])]
+    #[arg(long, help_heading = "Picture", conflicts_with_all = ["transparent", "width", "height", "times"])]
     panel: bool,
+}
+
+/// Times of a sheet.
+#[derive(Clone, Debug)]
+struct Moments(Vec<f64>);
+
+/// Reads them.
+fn times(text: &str) -> Result<Moments, String> {
+    number_list(text).map(Moments)
 }
 
 /// `shot`: everything that can be refused is refused before anything is drawn.
@@ -49,6 +66,9 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     let time = picture.time(&scene);
     check_place(&arguments.output)?;
     check_ending(&arguments.output)?;
+    if let Some(Moments(times)) = &arguments.times {
+        return sheet(arguments, times, &scene, &words);
+    }
     let mut simulation = Simulation::new(&scene);
     if time != 0.0 {
         simulation.go_to(time);
@@ -60,10 +80,8 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     #[cfg(feature = "window")]
     if arguments.panel {
         let options = options(picture);
-        let mut notes = notes(picture, &scene, &words, time);
-        if let Some((_, command)) = notes.last_mut() {
-            command.push_str(" --panel");
-        }
+        let words = [words, vec!["--panel".to_owned()]].concat();
+        let notes = notes(picture, &scene, &words, time);
         let pixels = dzhanibekov::app::with_panels(&gpu, scene, time, options.size.pixels)
             .map_err(|error| Failure::could_not(error.to_string()))?;
         let bytes = render::png::encode_marked(&pixels, false, &notes, options.size.pixels_per_metre())
@@ -108,8 +126,13 @@ pub(super) fn options(picture: &PictureArguments) -> ShotOptions {
 
 /// Opens what the picture is drawn on, and says once what is worth saying of the choice.
 pub(super) fn open(picture: &PictureArguments) -> Result<Gpu, Failure> {
-    let gpu = options(picture).open()?;
-    if let (Some(remark), false) = (gpu.remark(), picture.quiet) {
+    open_for(&options(picture), picture.quiet)
+}
+
+/// Likewise, for pictures of these options.
+pub(super) fn open_for(options: &ShotOptions, is_quiet: bool) -> Result<Gpu, Failure> {
+    let gpu = options.open()?;
+    if let (Some(remark), false) = (gpu.remark(), is_quiet) {
         say(remark);
     }
     Ok(gpu)
@@ -117,22 +140,36 @@ pub(super) fn open(picture: &PictureArguments) -> Result<Gpu, Failure> {
 
 /// What a picture's file says of itself: the program, the scene, the time and the command that draws it again.
 pub(super) fn notes(picture: &PictureArguments, scene: &Scene, words: &[String], time: f64) -> Vec<Remark> {
+    remarks(picture, scene, words, &["--time".to_owned(), short(time)], time)
+}
+
+/// The same where a command line says the moment or the moments in these words, the first of them at a time (s).
+pub(super) fn remarks(
+    picture: &PictureArguments,
+    scene: &Scene,
+    words: &[String],
+    moment: &[String],
+    time: f64,
+) -> Vec<Remark> {
     let mut command = vec!["dzhanibekov".to_owned(), "shot".to_owned()];
     command.extend_from_slice(words);
-    command.extend(["--time".to_owned(), short(time)]);
+    command.extend_from_slice(moment);
     command.extend(picture.size.words());
     if picture.transparent {
         command.push("--transparent".to_owned());
     }
+    if picture.metadata == Some(Metadata::Full) {
+        command.extend(["--metadata".to_owned(), "full".to_owned()]);
+    }
     command.extend(["-o".to_owned(), "picture.png".to_owned()]);
     let title = Some(scene.file.title.clone()).filter(|title| !title.is_empty());
     let title = title.or_else(|| words.first().cloned()).unwrap_or_default();
-    vec![
-        ("Software", concat!("dzhanibekov ", env!("CARGO_PKG_VERSION")).to_owned()),
-        ("Title", title),
-        ("Description", format!("t = {} s", short(time))),
-        ("Comment", quoted(&command)),
-    ]
+    let saying = match picture.metadata {
+        _ if picture.no_metadata => Saying::Nothing,
+        Some(Metadata::Full) => Saying::Full,
+        Some(Metadata::Plain) | None => Saying::Plain,
+    };
+    carried::remarks(saying, title, &scene.file, scene.at, time, quoted(&command))
 }
 
 /// `adapters`: what there is to draw with.

@@ -30,7 +30,13 @@ pub(super) struct SizeArguments {
 impl SizeArguments {
     /// What they come to.
     pub(super) fn get(&self) -> PictureSize {
-        PictureSize::new(self.size.unwrap_or(USUAL), self.width, self.height, self.dpi)
+        let (size, width, height, density) = self.said();
+        PictureSize::new(size, width, height, density)
+    }
+
+    /// They themselves: size, width, height, dots an inch.
+    pub(super) fn said(&self) -> ([u32; 2], Option<Length>, Option<Length>, Option<f64>) {
+        (self.size.unwrap_or(USUAL), self.width, self.height, self.dpi)
     }
 
     /// The words of a command line that say the same.

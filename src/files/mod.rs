@@ -3,7 +3,8 @@
 //! A result goes beside its place first and is then renamed into it ([`write()`], [`write_with`], [`Output`]). Links are
 //! followed and stay links; a file that is there keeps its mode and its owner; where renaming would not do (a device, a
 //! pipe, a descriptor, a file with a second name or in a folder that takes none) it is written in its place.
-//! [`write_new`] writes under a free name and over nothing. [`read_scenes`] reads the scenes of a file or a folder.
+//! [`write_new`] writes under a free name and over nothing. [`read_scene`] reads the scene of a file, also
+//! of a picture that carries one, [`read_scenes`] those of a file or a folder.
 
 mod error;
 mod new;
@@ -21,7 +22,7 @@ pub use error::FileError;
 pub use new::write_new;
 pub use output::{Output, Sink};
 pub use place::{check, takes_streams};
-pub use read::{LARGEST_SCENE, NamedScene, read_scene, read_scenes, read_standard_input, read_text};
+pub use read::{LARGEST_PICTURE, LARGEST_SCENE, NamedScene, read_scene, read_scenes, read_standard_input, read_text};
 pub use standard::keep_closed;
 pub use under_way::abandon;
 

@@ -5,13 +5,19 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::FileError;
-use crate::scene::{SceneError, SceneFile};
+use crate::scene::link::Link;
+use crate::scene::{SceneError, SceneFile, carried};
 
 /// Largest scene file read (bytes): a thousand times the longest preset.
 pub const LARGEST_SCENE: u64 = 1 << 20;
 
+/// Largest picture that is looked through for its scene (bytes): a figure is rarely past a few millions.
+pub const LARGEST_PICTURE: u64 = 1 << 28;
+/// So many of a file's first bytes tell a picture from a text.
+const HEAD: u64 = 1024;
+
 /// A scene's path, as it was named, and what is there.
-pub type NamedScene = (String, Result<SceneFile, SceneError>);
+pub type NamedScene = (String, Result<Link, SceneError>);
 
 /// The text of a file, or of a pipe, that is UTF-8 and at most `most` bytes long.
 ///
@@ -33,11 +39,16 @@ pub fn read_standard_input(most: u64) -> Result<String, FileError> {
 fn read(path: &Path, most: u64) -> Result<String, String> {
     let refused = |error: std::io::Error| format!("could not be read: {error}");
     let file = File::open(path).map_err(refused)?;
-    let length = file.metadata().map_err(refused)?.len();
+    within(file.metadata().map_err(refused)?.len(), most)?;
+    text_of(file, most)
+}
+
+/// Refuses a file that is longer than what is read of one.
+fn within(length: u64, most: u64) -> Result<(), String> {
     if length > most {
         return Err(format!("is {length} bytes long, and at most {most} are read"));
     }
-    text_of(file, most)
+    Ok(())
 }
 
 /// The text of anything that can be read to its end: a device has no length beforehand, and some have no end.
@@ -67,16 +78,30 @@ fn is_wide(bytes: &[u8]) -> bool {
     }
 }
 
-/// Reads a scene's file. What it says is not checked yet.
+/// Reads a scene's file, or a picture that carries the scene that drew it, with the time that it shows. What it says is not
+/// checked yet.
 ///
 /// # Errors
-/// A folder, a file that cannot be read, or text that is no scene.
-pub fn read_scene(path: &Path) -> Result<SceneFile, SceneError> {
+/// A folder, a file that cannot be read, text that is no scene, or a picture that carries none.
+pub fn read_scene(path: &Path) -> Result<Link, SceneError> {
     if path.is_dir() {
         let reason = "is a folder, which only the window can show; here name one of the scenes in it";
         return Err(SceneError::Unreadable(reason.to_owned()));
     }
-    SceneFile::parse(&read(path, LARGEST_SCENE).map_err(SceneError::Unreadable)?)
+    let refused = |error: std::io::Error| SceneError::Unreadable(format!("could not be read: {error}"));
+    let mut file = File::open(path).map_err(refused)?;
+    let length = file.metadata().map_err(refused)?.len();
+    let mut bytes = vec![];
+    file.by_ref().take(HEAD).read_to_end(&mut bytes).map_err(refused)?;
+    let is_picture = carried::kind_of_picture(&bytes).is_some();
+    let most = if is_picture { LARGEST_PICTURE } else { LARGEST_SCENE };
+    within(length, most).map_err(SceneError::Unreadable)?;
+    if is_picture {
+        file.take(LARGEST_PICTURE).read_to_end(&mut bytes).map_err(refused)?;
+        return carried::read(&bytes);
+    }
+    let text = text_of(bytes.as_slice().chain(file), LARGEST_SCENE).map_err(SceneError::Unreadable)?;
+    Ok(Link { file: SceneFile::parse(&text)?, ..Link::default() })
 }
 
 /// Reads the scene of a file, or all scenes of a folder in the order of their names, each with its path; one
@@ -134,7 +159,7 @@ mod tests {
         let said: Vec<String> = scenes
             .iter()
             .map(|(name, scene)| {
-                let said = scene.as_ref().map_or_else(ToString::to_string, |file| file.title.clone());
+                let said = scene.as_ref().map_or_else(ToString::to_string, |link| link.file.title.clone());
                 format!("{} {said}", name.rsplit(std::path::MAIN_SEPARATOR).next().unwrap_or_default())
             })
             .collect();

@@ -5,7 +5,7 @@ use std::io::Write;
 use super::FrameRate;
 use super::movie::{Movie, MovieError};
 use crate::render::Pixels;
-use crate::render::png::{colours, encoder};
+use crate::render::png::{Remark, colours, encoder, say};
 
 /// An animated PNG under way.
 pub struct Apng<W: Write> {
@@ -22,13 +22,21 @@ impl<W: Write> Apng<W> {
         header(rate, frames).map(|_| ())
     }
 
-    /// Begins a file of exactly `frames` frames that repeats for ever.
+    /// Begins a file of exactly `frames` frames that repeats for ever and says this of itself.
     ///
     /// # Errors
     /// No frames, a rate that the format cannot hold (both numbers of its ratio within 65 535), or a refused write.
-    pub fn new(writer: W, size: [u32; 2], rate: FrameRate, frames: u64, transparent: bool) -> Result<Self, MovieError> {
+    pub fn new(
+        writer: W,
+        size: [u32; 2],
+        rate: FrameRate,
+        frames: u64,
+        transparent: bool,
+        remarks: &[Remark],
+    ) -> Result<Self, MovieError> {
         let (frames, [numerator, denominator]) = header(rate, frames)?;
         let mut encoder = encoder(writer, size, transparent);
+        say(&mut encoder, remarks)?;
         encoder.set_animated(frames, 0)?;
         encoder.set_frame_delay(numerator, denominator)?;
         Ok(Self { writer: encoder.write_header()?, transparent })

@@ -7,6 +7,7 @@ mod movie;
 mod paper;
 mod record;
 mod rgba;
+mod sheet;
 mod shot;
 mod y4m;
 
@@ -16,5 +17,6 @@ pub use movie::{Movie, MovieError};
 pub use paper::{Length, POINT, PictureSize, THINNEST_LINE};
 pub use record::{FrameRate, Recording, record};
 pub use rgba::Rgba;
+pub use sheet::Sheet;
 pub use shot::{HeadlessError, ShotOptions, Studio, shot};
 pub use y4m::Y4m;

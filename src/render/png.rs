@@ -51,9 +51,7 @@ pub fn encode_rows<E: From<EncodingError>>(
     let mut bytes = vec![];
     let mut encoder = encoder(&mut bytes, size, transparent);
     encoder.set_pixel_dims(pixels_per_metre.map(density));
-    for (keyword, text) in remarks {
-        encoder.add_itxt_chunk((*keyword).to_owned(), text.clone())?;
-    }
+    say(&mut encoder, remarks)?;
     let mut writer = encoder.write_header()?;
     let mut stream = writer.stream_writer_with_size(CHUNK)?;
     let mut row = vec![];
@@ -66,6 +64,22 @@ pub fn encode_rows<E: From<EncodingError>>(
     stream.finish()?;
     writer.finish()?;
     Ok(bytes)
+}
+
+/// Lets a file say this of itself: in plain text where ASCII does, which programs that write a picture again keep more often.
+///
+/// # Errors
+/// None but for a keyword that PNG does not take.
+pub fn say<W: io::Write>(encoder: &mut png::Encoder<'_, W>, remarks: &[Remark]) -> Result<(), EncodingError> {
+    for (keyword, text) in remarks {
+        let (keyword, text) = ((*keyword).to_owned(), text.clone());
+        if text.is_ascii() {
+            encoder.add_text_chunk(keyword, text)?;
+        } else {
+            encoder.add_itxt_chunk(keyword, text)?;
+        }
+    }
+    Ok(())
 }
 
 /// How every picture is encoded, those of a moving one too: eight bits of sRGB, fast.
@@ -112,7 +126,11 @@ pub fn is_whole(bytes: &[u8], size: [u32; 2], remarks: &[Remark], pixels_per_met
     }
     let info = reader.info();
     let is_said = |(keyword, text): &Remark| {
-        info.utf8_text.iter().any(|chunk| chunk.keyword == *keyword && chunk.get_text().is_ok_and(|said| said == *text))
+        let is_plain = |said: &png::text_metadata::TEXtChunk| said.keyword == *keyword && said.text == *text;
+        let is_wide = |said: &png::text_metadata::ITXtChunk| {
+            said.keyword == *keyword && said.get_text().is_ok_and(|said| said == *text)
+        };
+        info.uncompressed_latin1_text.iter().any(is_plain) || info.utf8_text.iter().any(is_wide)
     };
     let is_marked = info.pixel_dims.map(|dims| (dims.xppu, dims.yppu)) == pixels_per_metre.map(|count| (count, count));
     is_marked && [info.width, info.height] == size && remarks.iter().all(is_said)

@@ -16,7 +16,7 @@ use super::{DEFAULT_PRESET, SceneError, SceneFile, preset};
 use crate::physics::number;
 
 /// Longest link that is read (bytes from its `#` on): browsers take no longer ones.
-const LONGEST: usize = 1 << 18;
+pub(super) const LONGEST: usize = 1 << 18;
 /// Longest text that a link may hold (bytes): as long as that of a file.
 const LONGEST_TEXT: usize = 1 << 20;
 /// The key of the step at which the scene is shown.
@@ -27,7 +27,7 @@ const EFFORT: u8 = 9;
 const HELD: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'_').remove(b'.').remove(b',').remove(b':');
 
 /// What a link says.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Link {
     /// The built-in scene that it starts from; none where the scene is the link's own.
     pub name: Option<String>,

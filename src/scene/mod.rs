@@ -5,6 +5,7 @@
 //! `--set` and links are read and written by it. The command line and the window change a [`SceneFile`]
 //! and check it again, so there is one way in.
 
+pub mod carried;
 mod check;
 mod cloud;
 mod command;

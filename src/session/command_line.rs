@@ -25,7 +25,7 @@ pub(super) fn shot(
 }
 
 /// Without the digits that adding up steps leaves at the end: a nanosecond is nothing to see.
-fn rounded_time(time: f64) -> f64 {
+pub(super) fn rounded_time(time: f64) -> f64 {
     if time.abs() < 1e6 { (time * 1e9).round() / 1e9 } else { time }
 }
 

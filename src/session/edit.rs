@@ -7,6 +7,7 @@ use super::undo::{Kind, Moment};
 use super::{Effect, Session, command_line, keep_choices, start};
 use crate::objects::{self, Cameras};
 use crate::physics::{Motion, methods::LOSS_METHOD, so3};
+use crate::scene::carried::{self, Saying};
 use crate::scene::{SceneFile, SpinFile, ViewFile};
 use crate::sim::Simulation;
 use crate::ui::{Pixels, path_in};
@@ -370,14 +371,26 @@ impl Session {
         self.say(format!("Saved as {place}"));
     }
 
+    /// What the file of a picture of this size says of itself, opened as the scene and the moment that it shows.
+    #[must_use]
+    pub fn remarks(&self, size: [u32; 2]) -> Vec<(&'static str, String)> {
+        let (file, time) = (self.file_as_seen(), command_line::rounded_time(self.sim.time()));
+        let title = self.opened.title.trim().to_owned();
+        carried::remarks(Saying::Plain, title, &file, self.scene.at, time, self.command(size))
+    }
+
     /// The command that draws this picture with no window, in a picture of this size.
-    pub(super) fn copy_command(&mut self) -> Vec<Effect> {
+    fn command(&self, size: [u32; 2]) -> String {
         let (name, base) = match &self.saved {
             Some((name, base)) => (name, base),
             None => (&self.opened.name, self.opened.base.as_ref().unwrap_or(&self.opened.file)),
         };
-        let size = self.picture_size.as_uvec2().to_array();
-        let line = command_line::shot(name, base, &self.file_as_seen(), self.scene.at, self.sim.time(), size);
+        command_line::shot(name, base, &self.file_as_seen(), self.scene.at, self.sim.time(), size)
+    }
+
+    /// Copies that command.
+    pub(super) fn copy_command(&mut self) -> Vec<Effect> {
+        let line = self.command(self.picture_size.as_uvec2().to_array());
         self.say(format!("Copied: {line}"));
         vec![Effect::CopyText(line)]
     }

@@ -4,6 +4,9 @@ use std::path::Path;
 
 use crate::scene::{Preset, SceneFile, presets};
 
+/// Endings of pictures that carry a scene.
+const PICTURES: [&str; 4] = ["png", "apng", "svg", "pdf"];
+
 /// A scene that can be gone to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slide {
@@ -25,10 +28,12 @@ impl Slide {
         stem.map_or(self.name.clone().into(), std::ffi::OsStr::to_string_lossy).into_owned()
     }
 
-    /// Whether it is a file, and not built into the program.
+    /// Whether it is a text that can be written again: a file, not built into the program and no picture.
     #[must_use]
     pub fn is_file(&self) -> bool {
-        Path::new(&self.name).extension().is_some()
+        Path::new(&self.name)
+            .extension()
+            .is_some_and(|extension| !PICTURES.iter().any(|it| extension.eq_ignore_ascii_case(it)))
     }
 }
 

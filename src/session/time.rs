@@ -1,6 +1,7 @@
 //! Commands about time.
 
 use super::Session;
+use crate::objects::Cameras;
 use crate::physics::poinsot;
 use crate::physics::so3;
 use crate::sim::{Slowing, Tick};
@@ -121,6 +122,17 @@ impl Session {
         let Timeline { first_flip, period, .. } = self.timeline;
         self.slowing = first_flip.and_then(|first| Slowing::new(first, period, rate));
         self.time_was_set();
+    }
+
+    /// Shows a moment as a picture does: the scene's step, counted from 0, or the scene as a whole, and the time (s), paused.
+    pub fn show_moment(&mut self, step: Option<usize>, time: f64) {
+        let file = self.scene.file.clone();
+        if let Err(error) = self.set_at(&file, step) {
+            return self.say(error.to_string());
+        }
+        self.cameras = Cameras::new(&self.scene.view);
+        self.origin = None;
+        self.show_time(time);
     }
 
     /// Shows a time (s), paused, however long the way to it.

@@ -54,7 +54,9 @@ fn sheet(ui: &mut Ui, look: &Look<'_>, columns: usize) {
     ui.label(
         "Mouse: drag to orbit, right or Shift drag to pan, wheel to zoom; drag M or click its sphere for a new start.",
     );
-    ui.label("A scene or a folder of them: drop it here, or copy it in a file manager and press Ctrl+V.");
+    ui.label(
+        "A scene, a picture of one or a folder of scenes: drop it here, or copy it in a file manager and press Ctrl+V.",
+    );
     ui.label("Keyboard alone: F6, then Tab and Shift+Tab (or arrows) from one to the next, arrows to slide,");
     ui.label("digits to type a number, Space or Enter to press, Esc to leave; F6 again comes back to the same place.");
 }

@@ -16,7 +16,7 @@ use dzhanibekov::headless::{
     Apng, FrameRate, Gif, HeadlessError, Movie, MovieError, PictureSize, Recording, ShotOptions, Studio, Y4m, record,
 };
 use dzhanibekov::objects::Cameras;
-use dzhanibekov::render::png::{encode_marked, is_whole};
+use dzhanibekov::render::png::{Remark, encode_marked, is_whole};
 use dzhanibekov::render::{Gpu, Pixels};
 use dzhanibekov::scene::Scene;
 use dzhanibekov::sim::Simulation;
@@ -130,7 +130,8 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
         }
         (_, Some(output)) => {
             let fail = |error| movie_failure(&arguments.output, error);
-            let movie = movie(&format, &output, &gpu, &scene, &recording)?;
+            let notes = notes(picture, &scene, &words, recording.time(recording.frames.start));
+            let movie = movie(&format, &output, &gpu, &scene, &recording, &notes)?;
             let mut movie = movie.map_err(fail)?;
             let is_finished = record(
                 &gpu,
@@ -177,13 +178,14 @@ fn movie(
     gpu: &Gpu,
     scene: &Scene,
     recording: &Recording,
+    notes: &[Remark],
 ) -> Result<Result<Box<dyn Movie>, MovieError>, Failure> {
     let Recording { shot, rate, frames, .. } = recording;
     let (size, rate) = (shot.size.pixels, *rate);
     let writer = || output.handle().map(BufWriter::new);
     Ok(match format {
         Format::Gif => Gif::new(writer()?, size, rate, &samples(gpu, scene, recording)?).map(boxed),
-        Format::Apng => Apng::new(writer()?, size, rate, frames.end - frames.start, shot.transparent).map(boxed),
+        Format::Apng => Apng::new(writer()?, size, rate, frames.end - frames.start, shot.transparent, notes).map(boxed),
         Format::Film(encoder) => {
             Ok(boxed(Ffmpeg::new(output.beside().unwrap_or(Path::new("-")), size, rate, *encoder)?))
         }
@@ -238,6 +240,9 @@ fn format_of(arguments: &RecordArguments) -> Result<Format, Failure> {
     }
     if arguments.keep && !matches!(format, Format::Numbered(_)) {
         return Err(keep_refused(output));
+    }
+    if arguments.keep && arguments.picture.no_metadata {
+        return Err(Failure::request("--keep tells frames by what they say of themselves: leave out --no-metadata"));
     }
     let checked = match format {
         Format::Gif => Gif::<Sink>::check(arguments.picture.size.get().pixels, arguments.fps),

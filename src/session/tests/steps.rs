@@ -149,3 +149,24 @@ fn an_answer_is_shown_when_it_is_asked_for() -> Result<(), SceneError> {
     assert!(!driven.session.shown.answer && driven.message().contains("no answer"), "{}", driven.message());
     Ok(())
 }
+
+#[test]
+fn a_picture_opens_at_what_it_shows() -> Result<(), SceneError> {
+    let mut driven = Driven::new("tilt")?;
+    let slide = Slide { name: "told.png".to_owned(), file: Ok(SceneFile::parse(TOLD)?) };
+    assert!(!slide.is_file());
+    driven.session.open_slides("told.png", Ok(vec![slide]));
+    for (step, layout, azimuth) in
+        [(None, Layout::Both, None), (Some(0), Layout::World, None), (Some(1), Layout::World, Some(10.0))]
+    {
+        driven.apply(Command::Orbit { at: Pixels::new(10.0, 10.0), by: Pixels::new(30.0, 0.0) });
+        driven.session.show_moment(step, -1.5);
+        assert_eq!((driven.session.scene.at, driven.session.time(), driven.session.is_playing()), (step, -1.5, false));
+        assert_eq!(driven.session.scene.view.layout, layout);
+        if let Some(azimuth) = azimuth {
+            assert!((driven.session.cameras.world.azimuth.to_degrees() - azimuth).abs() < 1e-3);
+        }
+        assert_eq!(driven.session.cameras, crate::objects::Cameras::new(&driven.session.scene.view));
+    }
+    Ok(())
+}
