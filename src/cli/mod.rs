@@ -2,6 +2,8 @@
 
 mod arguments;
 mod failure;
+#[cfg(feature = "headless")]
+mod figure;
 mod flags;
 mod lists;
 mod manual;
