@@ -170,6 +170,18 @@ impl Quadric {
     }
 }
 
+/// Walls of a hollow surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Walls {
+    /// Those away from the eye, and over them those towards it.
+    #[default]
+    Both,
+    /// Those away from the eye.
+    Far,
+    /// Those towards the eye.
+    Near,
+}
+
 /// One or two quadrics about the same centre, composited exactly where they cut each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuadricPair {
@@ -179,6 +191,8 @@ pub struct QuadricPair {
     pub second: Option<Quadric>,
     /// Something opaque may lie inside: the far walls are then blended before the near ones, each against it.
     pub hollow: bool,
+    /// Which of the walls of a hollow one are drawn.
+    pub walls: Walls,
     /// Whether a second one is still waited for (see [`Pane::add_cutting`]).
     pub is_open: bool,
 }
@@ -187,13 +201,13 @@ impl QuadricPair {
     /// One by itself.
     #[must_use]
     pub fn one(first: Quadric, hollow: bool) -> Self {
-        Self { first, second: None, hollow, is_open: false }
+        Self { first, second: None, hollow, walls: Walls::Both, is_open: false }
     }
 
     /// Two that cut each other.
     #[must_use]
     pub fn two(first: Quadric, second: Quadric, hollow: bool) -> Self {
-        Self { first, second: Some(second), hollow, is_open: false }
+        Self { second: Some(second), ..Self::one(first, hollow) }
     }
 }
 

@@ -79,6 +79,7 @@
 //! | `files` | what people name is read and written | `files` |
 //! | `objects`, `frame`, `camera` | what is drawn | `picture` |
 //! | `render` | how it is drawn, by wgpu | `picture` |
+//! | `vector` | a picture as lines and texts: SVG, PDF | `headless` |
 //! | `headless` | pictures and films with no window | `headless` |
 //! | `report` | speed against error, measured | `report` |
 //! | `session` | the state behind any front end: a scene's text and what follows from it | `ui` |
@@ -116,3 +117,5 @@ pub mod sim;
 pub mod typeface;
 #[cfg(feature = "ui")]
 pub mod ui;
+#[cfg(feature = "headless")]
+pub mod vector;

@@ -8,15 +8,22 @@ use crate::session::{Remembered, Session};
 use crate::ui::{Panels, style};
 use web_time::Instant;
 
-/// Draws a scene at a time (s) with the window's panels, paused, in this many pixels, on a device that can draw them.
+/// Draws a scene at a time (s) with the window's panels, paused, in this many pixels, on a device that can draw them, or as it
+/// is in presenter's mode.
 /// What some window was last like is not looked at.
 ///
 /// # Errors
 /// What the device reports.
-pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]) -> Result<Pixels, GpuError> {
+pub fn with_panels(
+    gpu: &Gpu,
+    scene: Scene,
+    time: f64,
+    [width, height]: [u32; 2],
+    presenting: bool,
+) -> Result<Pixels, GpuError> {
     let window = (width, height);
     let now = Instant::now();
-    let mut session = Session::new(scene, Vec::new(), &Remembered::default(), now);
+    let mut session = Session::new(scene, Vec::new(), &Remembered { presenting, ..Remembered::default() }, now);
     session.say_nothing();
     session.show_time(time);
 
@@ -24,7 +31,8 @@ pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]
     style::install(&context);
     style::set_theme(&context, session.theme());
     let (wide, high) = (width as f32, height as f32);
-    let zoom = zoom(wide, high, session.scene().view.font_scale as f32);
+    let font_scale = session.scene().view.font_scale as f32;
+    let zoom = zoom(wide, high, font_scale, presenting);
     context.set_zoom_factor(zoom);
     let mut panels = Panels::default();
     let canvas = Canvas::whole(gpu, [width, height]);
@@ -52,8 +60,8 @@ pub fn with_panels(gpu: &Gpu, scene: Scene, time: f64, [width, height]: [u32; 2]
         if size.0 > 0 && size.1 > 0 {
             painter.resize_picture(gpu, size);
             let frame = session.frame(size.0 as f32 / size.1 as f32);
-            // The frame scales its texts itself.
-            painter.draw_picture(gpu, &frame, picture_point(output.pixels_per_point, size) / frame.font_scale);
+            // The frame scales its texts by this itself.
+            painter.draw_picture(gpu, &frame, picture_point(output.pixels_per_point, size) / font_scale);
         }
         let painted = Painted {
             primitives: context.tessellate(output.shapes, output.pixels_per_point),

@@ -35,9 +35,11 @@ const NAME: &str = "dzhanibekov";
 const LONG: Duration = Duration::from_mins(10);
 
 /// How much larger than usual the panels are in a window of this size (points): they grow with the window, as what is
-/// projected does, by the user's own factor too, and never past what leaves room for them.
-pub(super) fn zoom(width: f32, height: f32, own: f32) -> f32 {
-    let grown = (width / 1280.0).min(height / 720.0).max(1.0).powf(0.7) * own;
+/// projected does, by the user's own factor too, and never past what leaves room for them. A presenter's words are as large a
+/// part of any window.
+pub(super) fn zoom(width: f32, height: f32, own: f32, presenting: bool) -> f32 {
+    let power = if presenting { 1.0 } else { 0.7 };
+    let grown = (width / 1280.0).min(height / 720.0).max(1.0).powf(power) * own;
     grown.min(width / SMALLEST.width).min(height / SMALLEST.height).max(0.4)
 }
 
@@ -219,7 +221,7 @@ impl OpenWindow {
             self.title = title;
         }
         let began = Instant::now();
-        self.scale_text(&context, session.text_size());
+        self.scale_text(&context, session.text_size(), session.is_presenting());
         let fullscreen = self.window.fullscreen().is_some();
         let mut input = self.egui.take_egui_input(&self.window);
         let has_focus = context.memory(|memory| memory.focused().is_some());
@@ -259,9 +261,9 @@ impl OpenWindow {
     }
 
     /// Legible from the last row at any resolution.
-    fn scale_text(&self, context: &egui::Context, text_size: f32) {
+    fn scale_text(&self, context: &egui::Context, text_size: f32, presenting: bool) {
         let size = self.window.inner_size().to_logical::<f32>(self.window.scale_factor());
-        context.set_zoom_factor(zoom(size.width, size.height, text_size));
+        context.set_zoom_factor(zoom(size.width, size.height, text_size, presenting));
     }
 
     /// Writes the picture as it is, as large as the window; says where.

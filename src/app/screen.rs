@@ -9,7 +9,7 @@ use winit::window::Window;
 use super::WindowError;
 use super::surface::{Acquired, Surface};
 use crate::frame::Frame;
-use crate::render::{Canvas, Gpu, Painter, Pixels};
+use crate::render::{Canvas, Gpu, GpuError, Painter, Pixels, adapters};
 
 /// The device, the window's surface and what is drawn with.
 pub(super) struct Screen {
@@ -58,8 +58,14 @@ impl Screen {
         let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
         descriptor.display = Some(Box::new(display));
         let instance = wgpu::Instance::new(descriptor);
-        let surface =
-            instance.create_surface(Arc::clone(window)).map_err(|error| WindowError::Display(error.to_string()))?;
+        let surface = instance.create_surface(Arc::clone(window)).map_err(|error| {
+            // Without a driver there is nothing to make one by, and the window system is not to blame.
+            if pollster::block_on(adapters()).is_empty() {
+                GpuError::NoAdapter.into()
+            } else {
+                WindowError::Display(error.to_string())
+            }
+        })?;
         let gpu = pollster::block_on(Gpu::for_surface(&instance, &surface, adapter))?;
         let is_lost = Arc::new(AtomicBool::new(false));
         let is_trial = Arc::new(AtomicBool::new(false));

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use dzhanibekov::files;
-use dzhanibekov::headless::{HeadlessError, ShotOptions, shot as draw};
+use dzhanibekov::headless::{FigureFormat, HeadlessError, ShotOptions, figure as draw_figure, shot as draw};
 use dzhanibekov::physics::Method;
 use dzhanibekov::render::png::Remark;
 use dzhanibekov::render::{self, Gpu};
@@ -15,6 +15,7 @@ use serde_json::json;
 
 use super::arguments::{Metadata, PictureArguments, number_list};
 use super::failure::{Failure, say};
+use super::figure::FigureArguments;
 use super::lists::{ListArguments, print, table};
 use super::output::check_place;
 use super::quiet_driver::keep_quiet;
@@ -34,8 +35,10 @@ pub(super) struct ShotArguments {
     #[command(flatten)]
     pub(super) picture: PictureArguments,
     /// File to write, or - for standard output
-    #[arg(short, long, value_name = "FILE.png|-")]
+    #[arg(short, long, value_name = "FILE.png|.svg|.pdf|-")]
     pub(super) output: PathBuf,
+    #[command(flatten)]
+    pub(super) figure: FigureArguments,
     /// A sheet of the pictures at these times (s), each of --size; with --width or --height the sheet has that
     #[arg(long, value_name = "T,T,…", allow_hyphen_values = true, value_parser = times, conflicts_with = "time", help_heading = "Picture")]
     times: Option<Moments>,
@@ -46,6 +49,10 @@ pub(super) struct ShotArguments {
     #[cfg(feature = "window")]
     #[arg(long, help_heading = "Picture", conflicts_with_all = ["transparent", "width", "height", "times"])]
     panel: bool,
+    /// As the window is in presenter's mode: large words, a slim strip and no panel
+    #[cfg(feature = "window")]
+    #[arg(long, help_heading = "Picture", conflicts_with_all = ["panel", "transparent", "width", "height", "times"])]
+    presenter: bool,
 }
 
 /// Times of a sheet.
@@ -65,9 +72,17 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     let (scene, words) = picture_scene(picture)?;
     let time = picture.time(&scene);
     check_place(&arguments.output)?;
-    check_ending(&arguments.output)?;
+    let format = format(&arguments.output)?;
+    arguments.figure.check(format, &arguments.output)?;
+    #[cfg(feature = "window")]
+    if arguments.panel && format.is_some() {
+        let output = arguments.output.display();
+        return Err(Failure::request(format!(
+            "--panel is drawn in pixels: give a name ending in .png instead of {output}"
+        )));
+    }
     if let Some(Moments(times)) = &arguments.times {
-        return sheet(arguments, times, &scene, &words);
+        return sheet(arguments, times, format, &scene, &words);
     }
     let mut simulation = Simulation::new(&scene);
     if time != 0.0 {
@@ -78,30 +93,42 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     }
     let gpu = open(picture)?;
     #[cfg(feature = "window")]
-    if arguments.panel {
+    if arguments.panel || arguments.presenter {
         let options = options(picture);
-        let words = [words, vec!["--panel".to_owned()]].concat();
+        let flag = if arguments.presenter { "--presenter" } else { "--panel" };
+        let words = [words, vec![flag.to_owned()]].concat();
         let notes = notes(picture, &scene, &words, time);
-        let pixels = dzhanibekov::app::with_panels(&gpu, scene, time, options.size.pixels)
+        let pixels = dzhanibekov::app::with_panels(&gpu, scene, time, options.size.pixels, arguments.presenter)
             .map_err(|error| Failure::could_not(error.to_string()))?;
         let bytes = render::png::encode_marked(&pixels, false, &notes, options.size.pixels_per_metre())
             .map_err(HeadlessError::from)?;
         return Ok(files::write(&arguments.output, &bytes)?);
     }
-    let bytes = draw(&gpu, &scene, &simulation, &options(picture), &notes(picture, &scene, &words, time))?;
+    let (options, mut notes) = (options(picture), notes(picture, &scene, &words, time));
+    let bytes = match format {
+        None => draw(&gpu, &scene, &simulation, &options, &notes)?,
+        Some(format) => {
+            arguments.figure.mark(format, &mut notes);
+            draw_figure(&gpu, &scene, &simulation, &options, arguments.figure.style(), format, &notes)?
+        }
+    };
     Ok(files::write(&arguments.output, &bytes)?)
 }
 
-/// Refuses a name that says another format than PNG, or none. Where a stream goes has a name of its own.
-fn check_ending(output: &Path) -> Result<(), Failure> {
-    let is_png = output.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
-    if is_png || files::takes_streams(output) {
-        return Ok(());
+/// The format of a figure that a name says; none for a PNG. A name that says another format, or none, is refused. Where a
+/// stream goes has a name of its own.
+fn format(output: &Path) -> Result<Option<FigureFormat>, Failure> {
+    let ending = output.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
+    match ending.as_deref() {
+        Some("png") => Ok(None),
+        Some("svg") => Ok(Some(FigureFormat::Svg)),
+        Some("pdf") => Ok(Some(FigureFormat::Pdf)),
+        _ if files::takes_streams(output) => Ok(None),
+        _ => Err(Failure::request(format!(
+            "{} names no format that shot writes: give a name ending in .png, .svg or .pdf, or - for standard output",
+            output.display()
+        ))),
     }
-    Err(Failure::request(format!(
-        "{} names no format that shot writes: give a name ending in .png, or - for standard output",
-        output.display()
-    )))
 }
 
 /// The scene of a picture, checked, and the words of a command line that name it.

@@ -1,7 +1,7 @@
 //! `shot --times`: a sheet of moments.
 
 use dzhanibekov::files;
-use dzhanibekov::headless::Sheet;
+use dzhanibekov::headless::{FigureFormat, Sheet, ShotOptions};
 use dzhanibekov::render::png::Remark;
 use dzhanibekov::scene::Scene;
 
@@ -10,7 +10,13 @@ use super::picture::{ShotArguments, followed, open_for, options, remarks};
 use super::times::{check_steps, short};
 
 /// Draws the moments of a checked scene, which these words name, side by side.
-pub(super) fn sheet(arguments: &ShotArguments, times: &[f64], scene: &Scene, words: &[String]) -> Result<(), Failure> {
+pub(super) fn sheet(
+    arguments: &ShotArguments,
+    times: &[f64],
+    format: Option<FigureFormat>,
+    scene: &Scene,
+    words: &[String],
+) -> Result<(), Failure> {
     let picture = &arguments.picture;
     if let Some(time) = times.iter().find(|time| !time.is_finite()) {
         return Err(Failure::request(format!("--times holds {time}, which is not finite")));
@@ -21,8 +27,19 @@ pub(super) fn sheet(arguments: &ShotArguments, times: &[f64], scene: &Scene, wor
     let sheet =
         Sheet::new(times.len(), arguments.columns, picture.size.said(), font_scale).map_err(Failure::request)?;
     let options = options(picture);
-    let gpu = open_for(&sheet.options(&options), picture.quiet)?;
-    let bytes = sheet.draw(&gpu, scene, times, &options, &notes(arguments, times, scene, words))?;
+    let mut notes = notes(arguments, times, scene, words);
+    let bytes = match format {
+        None => {
+            let gpu = open_for(&sheet.options(&options), picture.quiet)?;
+            sheet.draw(&gpu, scene, times, &options, &notes)?
+        }
+        Some(format) => {
+            // Its surfaces are one picture.
+            let gpu = open_for(&ShotOptions { size: sheet.whole, ..options.clone() }, picture.quiet)?;
+            arguments.figure.mark(format, &mut notes);
+            sheet.figure(&gpu, scene, times, &options, (arguments.figure.style(), format), &notes)?
+        }
+    };
     Ok(files::write(&arguments.output, &bytes)?)
 }
 

@@ -2,6 +2,7 @@
 
 mod apng;
 mod fault;
+mod figure;
 mod gif;
 mod movie;
 mod paper;
@@ -12,6 +13,7 @@ mod shot;
 mod y4m;
 
 pub use apng::Apng;
+pub use figure::{FigureFormat, figure};
 pub use gif::Gif;
 pub use movie::{Movie, MovieError};
 pub use paper::{Length, POINT, PictureSize, THINNEST_LINE};

@@ -1,5 +1,6 @@
 //! A sheet of moments: pictures of several times in rows, each under its time, as papers print them.
 
+use super::figure::{FigureFormat, figure_of};
 use super::paper::{Length, PictureSize};
 use super::shot::{HeadlessError, ShotOptions, Studio};
 use crate::frame::{Area, Color, Frame, Note, Pane};
@@ -8,6 +9,7 @@ use crate::render::png::{Remark, encode_marked};
 use crate::render::{Gpu, Pixels, point_size};
 use crate::scene::Scene;
 use crate::sim::Simulation;
+use crate::vector::FigureStyle;
 
 /// Most pictures in a row where nobody says how many.
 const MOST_IN_A_ROW: usize = 4;
@@ -105,7 +107,13 @@ impl Sheet {
         let each = sized(each);
         // The type of each picture is that of its own size, and the times' with it.
         let point = point_size(each.pixels) * each.type_scale() * font_scale;
-        Ok(Self { whole: sized(whole), each, columns: columns as u32, time_row, gap, point })
+        // As long as is said: a pixel more or less is not seen.
+        let exact = |side: usize, length: Option<Length>| Some(said.paper?[side]).filter(|_| length.is_some());
+        let mut whole = sized(whole);
+        if let Some(paper) = &mut whole.paper {
+            *paper = [exact(0, width).unwrap_or(paper[0]), exact(1, height).unwrap_or(paper[1])];
+        }
+        Ok(Self { whole, each, columns: columns as u32, time_row, gap, point })
     }
 
     /// The upper left corner (pixels) of the picture of a moment.
@@ -192,6 +200,22 @@ impl Sheet {
             put(&mut sheet, &caption, [left, top - self.time_row]);
         }
         Ok(encode_marked(&sheet, options.transparent, remarks, self.whole.pixels_per_metre())?)
+    }
+
+    /// Draws the moments as one figure: the bytes of a file.
+    ///
+    /// # Errors
+    /// See [`HeadlessError`].
+    pub fn figure(
+        &self,
+        gpu: &Gpu,
+        scene: &Scene,
+        times: &[f64],
+        options: &ShotOptions,
+        (style, format): (FigureStyle, FigureFormat),
+        remarks: &[Remark],
+    ) -> Result<Vec<u8>, HeadlessError> {
+        figure_of(gpu, &self.frame(scene, times, options), self.whole, style, format, remarks)
     }
 }
 

@@ -18,7 +18,15 @@ pub(super) fn axes(context: &Context<'_>, pane: &mut Pane) {
         }
         // With its moment it is named there.
         if !context.shows(&super::MOMENTS) {
-            name(pane, number, body_axes::NUMBERS[number], color, labels::AXIS);
+            let text = body_axes::NUMBERS[number];
+            if number == body_axes::started_about(context) && context.shows(&super::ENDS) {
+                let sign = context.body_momentum(context.scene.start.body_momentum)[number].signum();
+                for (end, is_up) in [(sign, true), (-sign, false)] {
+                    name(pane, Vec3::AXES[number] * end, &body_axes::end_name(context, is_up), color, labels::AXIS);
+                }
+            } else {
+                name(pane, Vec3::AXES[number], text, color, labels::AXIS);
+            }
         }
     }
 }
@@ -32,14 +40,13 @@ pub(super) fn moments(context: &Context<'_>, pane: &mut Pane) {
     for (number, color) in context.palette.axes.into_iter().enumerate() {
         let index = ['₁', '₂', '₃'][number];
         let text = format!("{}: I{index} = {}", number + 1, significant(moments[number]));
-        name(pane, number, &text, color, labels::MOMENT);
+        name(pane, Vec3::AXES[number], &text, color, labels::MOMENT);
     }
 }
 
-/// Names an axis at its end.
-fn name(pane: &mut Pane, number: usize, text: &str, color: Color, style: LabelStyle) {
+/// Names an axis at this end.
+fn name(pane: &mut Pane, axis: Vec3, text: &str, color: Color, style: LabelStyle) {
     let (right, up, _) = pane.camera.axes();
-    let axis = Vec3::AXES[number];
     let toward = Vec2::new(2.0 * axis.dot(right), axis.dot(up));
     pane.labels.push(Label::new(axis * REACH, toward, text, color, style));
 }

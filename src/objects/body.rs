@@ -12,19 +12,51 @@ const ROUND: u32 = 72;
 /// Rings of an ellipsoid from pole to pole.
 const RINGS: usize = 48;
 
+/// How large the body is that stands still in momentum space, beside the one in the world.
+const STILL: f64 = 0.5;
+
+/// How a body stands in a picture.
+#[derive(Clone, Copy, Debug)]
+struct Pose {
+    picture_from_body: Mat3,
+    per_metre: f64,
+}
+
+impl Pose {
+    /// In the world, in this state.
+    fn of(context: &Context<'_>, state: &State) -> Self {
+        Self { picture_from_body: context.world_from_body(state), per_metre: context.per_metre() }
+    }
+}
+
 pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
-    let mut mesh = mesh_of(context, context.simulation.state(), context.palette.faces);
-    add_marks(context, &mut mesh);
+    let pose = Pose::of(context, context.simulation.state());
+    draw_posed(context, pane, pose);
+}
+
+/// As one sees it who sits on it: it stands still, its axes along those of momentum space.
+pub(super) fn still(context: &Context<'_>, pane: &mut Pane) {
+    let principal_from_body = single_matrix(context.simulation.body().body_from_principal().transpose());
+    draw_posed(context, pane, Pose { picture_from_body: principal_from_body, per_metre: STILL * context.per_metre() });
+}
+
+fn draw_posed(context: &Context<'_>, pane: &mut Pane, pose: Pose) {
+    let mut mesh = mesh_posed(context, pose, context.palette.faces);
+    add_marks(context, pose, &mut mesh);
     mesh.opaque = true;
     pane.meshes.push(mesh);
-    edges(context, context.simulation.state(), pane, context.palette.background.alpha(0.55), 1.6);
+    edges_posed(context, pose, pane, context.palette.background.alpha(0.55), 1.6);
 }
 
 /// The triangles of the body in this state.
 pub(super) fn mesh_of(context: &Context<'_>, state: &State, colors: [[Color; 3]; 2]) -> Mesh {
+    mesh_posed(context, Pose::of(context, state), colors)
+}
+
+fn mesh_posed(context: &Context<'_>, pose: Pose, colors: [[Color; 3]; 2]) -> Mesh {
     let mut mesh = Mesh::default();
     let principal_from_body = single_matrix(context.simulation.body().body_from_principal().transpose());
-    for (centre, map, kind, body_from_part) in placed_parts(context, state) {
+    for (centre, map, kind, body_from_part) in parts_posed(context, pose) {
         let principal_from_part = principal_from_body * body_from_part;
         let color = |local: Vec3| color_towards(principal_from_part * local, colors);
         match kind {
@@ -49,9 +81,9 @@ pub(super) fn mesh_of(context: &Context<'_>, state: &State, colors: [[Color; 3];
 }
 
 /// A triangle on each of the two largest faces of a single box, pointing along the middle axis: the eye sees it turn over.
-fn add_marks(context: &Context<'_>, mesh: &mut Mesh) {
+fn add_marks(context: &Context<'_>, pose: Pose, mesh: &mut Mesh) {
     let principal_from_body = single_matrix(context.simulation.body().body_from_principal().transpose());
-    let mut parts = placed_parts(context, context.simulation.state());
+    let mut parts = parts_posed(context, pose);
     let (Some((centre, map, PartKind::Box, body_from_part)), None) = (parts.next(), parts.next()) else { return };
     let half = Vec3::new(map.x_axis.length(), map.y_axis.length(), map.z_axis.length());
     let thin = half.min_position();
@@ -81,7 +113,11 @@ fn add_marks(context: &Context<'_>, mesh: &mut Mesh) {
 
 /// The edges of the boxes of the body in this state.
 pub(super) fn edges(context: &Context<'_>, state: &State, pane: &mut Pane, color: Color, width: f32) {
-    for (centre, map, kind, _) in placed_parts(context, state) {
+    edges_posed(context, Pose::of(context, state), pane, color, width);
+}
+
+fn edges_posed(context: &Context<'_>, pose: Pose, pane: &mut Pane, color: Color, width: f32) {
+    for (centre, map, kind, _) in parts_posed(context, pose) {
         if kind != PartKind::Box {
             continue;
         }
@@ -99,13 +135,19 @@ pub(super) fn placed_parts<'a>(
     context: &'a Context<'_>,
     state: &State,
 ) -> impl Iterator<Item = (Vec3, Mat3, PartKind, Mat3)> + use<'a> {
-    let world_from_body = context.world_from_body(state);
-    let scale = context.per_metre();
+    parts_posed(context, Pose::of(context, state))
+}
+
+fn parts_posed<'a>(
+    context: &'a Context<'_>,
+    pose: Pose,
+) -> impl Iterator<Item = (Vec3, Mat3, PartKind, Mat3)> + use<'a> {
+    let Pose { picture_from_body, per_metre } = pose;
     context.scene.parts.iter().map(move |part| {
         let body_from_part = single_matrix(part.body_from_part);
-        let half = single(part.size * (0.5 * scale));
-        let map = world_from_body * body_from_part * Mat3::from_diagonal(half);
-        (world_from_body * single(part.centre * scale), map, part.kind, body_from_part)
+        let half = single(part.size * (0.5 * per_metre));
+        let map = picture_from_body * body_from_part * Mat3::from_diagonal(half);
+        (picture_from_body * single(part.centre * per_metre), map, part.kind, body_from_part)
     })
 }
 

@@ -34,7 +34,8 @@ pub(super) fn names(context: &Context<'_>, pane: &mut Pane) {
         let axis = if facing < 0.0 { -axis } else { axis };
         // Not in the colour of the axis, which is that of the face under it.
         let color = context.palette.ink.fade((facing.abs() / FACING).min(1.0));
-        stub(context, pane, axis, NUMBERS[number], color);
+        // Through a sphere that carries a trail.
+        stub(context, pane, axis, NUMBERS[number], color, 0.6);
     }
 }
 
@@ -46,11 +47,16 @@ pub(super) fn ends(context: &Context<'_>, pane: &mut Pane) {
     let number = started_about(context);
     let sign = context.body_momentum(context.scene.start.body_momentum)[number].signum();
     let axis = world_from_principal(context, context.simulation.state()).col(number) * sign;
-    let is_numbered = context.shows(&super::AXIS_NAMES);
-    for (axis, name) in [(axis, "top"), (-axis, "bottom")] {
-        let name = if is_numbered { format!("{}: {name}", NUMBERS[number]) } else { name.to_owned() };
-        stub(context, pane, axis, &name, context.palette.ink);
+    for (axis, is_up) in [(axis, true), (-axis, false)] {
+        stub(context, pane, axis, &end_name(context, is_up), context.palette.ink, 0.15);
     }
+}
+
+/// What an end of the axis is called that the body was started about.
+pub(super) fn end_name(context: &Context<'_>, is_up: bool) -> String {
+    let name = if is_up { "top" } else { "bottom" };
+    let number = NUMBERS[started_about(context)];
+    if context.shows(&super::AXIS_NAMES) { format!("{number}: {name}") } else { name.to_owned() }
 }
 
 /// The axis, counted from 0, that most of the momentum was along at the start.
@@ -58,15 +64,14 @@ pub(super) fn started_about(context: &Context<'_>) -> usize {
     context.body_momentum(context.scene.start.body_momentum).abs().max_position()
 }
 
-/// A short piece of an axis out of the body.
-fn stub(context: &Context<'_>, pane: &mut Pane, axis: Vec3, name: &str, color: Color) {
+/// A short piece of an axis out of the body, this strong where something hides it.
+fn stub(context: &Context<'_>, pane: &mut Pane, axis: Vec3, name: &str, color: Color, hidden: f32) {
     // The body's farthest point along the axis.
     let parts = super::body::placed_parts(context, context.simulation.state());
     let reach = parts.map(|(centre, map, ..)| axis.dot(centre) + (map.transpose() * axis).abs().element_sum());
     let foot = axis * reach.fold(0.0, f32::max);
     if foot.is_finite() {
-        // Through a sphere that carries a trail.
-        named_end(pane, foot, foot + axis * STUB, name, color, 0.6);
+        named_end(pane, foot, foot + axis * STUB, name, color, hidden);
     }
 }
 

@@ -168,6 +168,15 @@ const WORLD_NOTES: Object = object(
     notes::world,
     "The caption over the world and the legend of the methods",
 );
+/// What flips and what stays.
+const FLIP_NOTES: Object = object(
+    "flip-notes",
+    "Words about the flip",
+    World,
+    false,
+    notes::flip,
+    "What flips and what stays, over the world",
+);
 /// Likewise over momentum space.
 const MOMENTUM_NOTES: Object = object(
     "body-notes",
@@ -310,14 +319,7 @@ pub static OBJECTS: &[Object] = &[
         "The arrow of the angular velocity, which swings about L",
     ),
     WORLD_NOTES,
-    object(
-        "flip-notes",
-        "Words about the flip",
-        World,
-        false,
-        notes::flip,
-        "What flips and what stays, in two lines over the world",
-    ),
+    FLIP_NOTES,
     object(
         "sphere",
         "Sphere |M| = |L|",
@@ -333,6 +335,14 @@ pub static OBJECTS: &[Object] = &[
         true,
         surfaces::ellipsoid,
         "The ellipsoid of all momenta of the same energy",
+    ),
+    object(
+        "still-body",
+        "Body, standing still",
+        Momentum,
+        false,
+        body::still,
+        "The body as one sees it who sits on it, in the middle of the sphere",
     ),
     AXES,
     MOMENTS,

@@ -48,8 +48,12 @@ pub(super) fn flip(context: &Context<'_>, pane: &mut Pane) {
         _ => "turning over",
     };
     note(pane, format!("flips: the body – now {way}"), context.palette.axes[axis]);
-    let stays = if context.shows(&super::MOMENTUM) { "stays: the arrow L" } else { "stays: the way round it turns" };
-    note(pane, stays.to_owned(), context.palette.ink);
+    let has_arrow = context.shows(&super::MOMENTUM);
+    // The caption says it else.
+    if !(has_arrow && context.shows(&super::WORLD_NOTES)) {
+        let stays = if has_arrow { "stays: the arrow L" } else { "stays: the way round it turns" };
+        note(pane, stays.to_owned(), context.palette.ink);
+    }
 }
 
 fn note(pane: &mut Pane, text: String, color: Color) {
@@ -64,7 +68,7 @@ pub(super) fn momentum_space(context: &Context<'_>, pane: &mut Pane) {
         ""
     };
     let others = std::mem::take(&mut pane.notes);
-    caption(context, pane, &format!("seen from the body: M is L{unit}"));
+    caption(context, pane, &format!("seen from the body: L is called M{unit}"));
     pane.notes.extend(others);
     if context.settings.layout == Layout::Body {
         legend(context, pane);

@@ -112,7 +112,7 @@ pub(super) fn turn(context: &Context<'_>, pane: &mut Pane) {
         1 => "1 turn and ".to_owned(),
         whole => format!("{whole} turns and "),
     };
-    let text = format!("by then turned about L by Δψ = 2KT/ℓ − Λ = {turns}{:.1}°", rest.to_degrees());
+    let text = format!("Δψ = 2KT/ℓ − Λ = {turns}{:.1}° about L", rest.to_degrees());
     note(context, pane, &text);
 }
 

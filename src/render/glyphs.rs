@@ -9,8 +9,8 @@ const SIDE: u32 = 2048;
 const HIGHEST: u32 = 4096;
 /// Directions in which a halo is spread, and the opacity of its outer ring; the inner one is full.
 const HALO_DIRECTIONS: u8 = 8;
-const HALO_OUTER: u16 = 154;
-const HALO_INNER: f32 = 0.6;
+pub(super) const HALO_OUTER: u16 = 154;
+pub(super) const HALO_INNER: f32 = 0.6;
 /// Largest em in pixels: beyond it the atlas would hold too few glyphs.
 const LARGEST: f32 = 220.0;
 /// Free pixels round each glyph.
@@ -30,6 +30,26 @@ struct Cell {
     bearing: [f32; 2],
 }
 
+/// The typefaces, the usual one first; each of the others has what those before it lack.
+pub static TYPEFACES: [&[u8]; 2] = [crate::typeface::SANS, epaint_default_fonts::HACK_REGULAR];
+
+/// A letter of a laid out text, in pixels from the text's top left corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Letter {
+    /// The character that its font is asked for.
+    pub character: char,
+    /// Which of the [`TYPEFACES`] it is of.
+    pub font: usize,
+    /// Its number in the font.
+    pub glyph: u16,
+    /// Pixels an em.
+    pub em: f32,
+    /// Its origin: where the pen comes to, on the letter's own base line.
+    pub pen: [f32; 2],
+    /// Size as the rasteriser counts it.
+    size: f32,
+}
+
 /// A font's number, one of its glyphs, its size in pixels an em and the radius of its halo, both as bits.
 type Key = (usize, GlyphId, [u32; 2]);
 
@@ -44,6 +64,7 @@ pub(super) struct PlacedGlyph {
 
 /// A text laid out on one line.
 pub(super) struct TextLine {
+    pub(super) letters: Vec<Letter>,
     pub(super) glyphs: Vec<PlacedGlyph>,
     pub(super) extent: [f32; 2],
 }
@@ -64,9 +85,8 @@ impl Glyphs {
     pub(super) const SIDE: u32 = SIDE;
 
     pub(super) fn new() -> Self {
-        let sources = [crate::typeface::SANS, epaint_default_fonts::HACK_REGULAR];
         Self {
-            fonts: sources.iter().filter_map(|bytes| FontRef::try_from_slice(bytes).ok()).collect(),
+            fonts: TYPEFACES.iter().filter_map(|bytes| FontRef::try_from_slice(bytes).ok()).collect(),
             cells: HashMap::new(),
             pixels: vec![],
             shelf: [0; 3],
@@ -93,14 +113,34 @@ impl Glyphs {
     /// Lays a text out on one line, `size` pixels an em. Indices (₁) and exponents (⁵) are digits set smaller and lower or higher,
     /// whether the font has them or not.
     pub(super) fn lay_out(&mut self, text: &str, size: f32) -> TextLine {
+        let (letters, extent) = self.set(text, size);
+        let mut glyphs = vec![];
+        for letter in &letters {
+            let (number, id, size) = (letter.font, GlyphId(letter.glyph), letter.size);
+            let key = (number, id, [size.to_bits(), 0]);
+            if let Some(cell) = self.cell(key, |glyphs| glyphs.rasterise(number, id, size)) {
+                let [x, y] = letter.pen;
+                glyphs.push(PlacedGlyph {
+                    key,
+                    low: [(x + cell.bearing[0]).round(), (y + cell.bearing[1]).round()],
+                    extent: cell.extent,
+                    source: cell.source,
+                });
+            }
+        }
+        TextLine { letters, glyphs, extent }
+    }
+
+    /// The letters of a text on one line, and its width and height.
+    fn set(&self, text: &str, size: f32) -> (Vec<Letter>, [f32; 2]) {
         let size = size.min(LARGEST) * self.fonts.first().and_then(height_per_em).unwrap_or(1.0);
-        let Some(first) = self.fonts.first() else { return TextLine { glyphs: vec![], extent: [0.0; 2] } };
+        let Some(first) = self.fonts.first() else { return (vec![], [0.0; 2]) };
         let scaled = first.as_scaled(size);
         let (ascent, height) = (scaled.ascent(), scaled.height());
         let mut pen = 0.0;
         let mut before = None;
         let mut after_letter = false;
-        let mut glyphs = vec![];
+        let mut letters = vec![];
         for character in text.chars() {
             let (character, part, drop) = match character {
                 // Of a unit (m²), which is known at a glance: as the font has it.
@@ -123,20 +163,12 @@ impl Glyphs {
             {
                 pen += font.kern(id_before, id);
             }
-            let advance = font.h_advance(id);
-            let key = (number, id, [size.to_bits(), 0]);
-            if let Some(cell) = self.cell(key, |glyphs| glyphs.rasterise(number, id, size)) {
-                glyphs.push(PlacedGlyph {
-                    key,
-                    low: [(pen + cell.bearing[0]).round(), (ascent + drop + cell.bearing[1]).round()],
-                    extent: cell.extent,
-                    source: cell.source,
-                });
-            }
-            pen += advance;
+            let em = size / height_per_em(&self.fonts[number]).unwrap_or(1.0);
+            letters.push(Letter { character, font: number, glyph: id.0, em, pen: [pen, ascent + drop], size });
+            pen += font.h_advance(id);
             before = Some((number, id));
         }
-        TextLine { glyphs, extent: [pen, height] }
+        (letters, [pen, height])
     }
 
     /// The halo of a glyph, this many pixels wide: what of it is under the glyph too.

@@ -9,6 +9,7 @@ mod gpu;
 mod labels;
 #[cfg(test)]
 mod layout_test;
+pub mod light;
 mod line;
 mod marker;
 mod mesh;
@@ -25,9 +26,12 @@ mod renderer;
 mod solids;
 mod targets;
 mod text;
+mod words;
 
+pub use glyphs::{Letter, TYPEFACES};
 pub use gpu::{AdapterDescription, Gpu, GpuError, adapters, no_adapter};
 pub use painter::Painter;
 pub use readback::{Canvas, Pixels, Reading};
 pub use renderer::point_size;
 pub use targets::FORMAT;
+pub use words::{PlacedText, ScreenLayer, halo, screen_layers};

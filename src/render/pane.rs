@@ -3,6 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 
+use super::light::Light;
 use crate::camera::{Camera, NEAR};
 use crate::frame::Pane;
 
@@ -20,8 +21,6 @@ pub(super) struct PaneUniform {
     pub(super) metrics: Vec4,
 }
 
-const AMBIENT: f32 = 0.24;
-
 impl PaneUniform {
     /// Where a point of the pane's world is seen (normalised device coordinates); none behind the eye.
     pub(super) fn ndc(&self, at: Vec3) -> Option<Vec2> {
@@ -37,7 +36,7 @@ impl PaneUniform {
             Vec4::ZERO,
             Vec4::new(-1.0, 1.0, 1.0, 1.0),
         );
-        let metrics = Vec4::new(pixels.x, pixels.y, point, AMBIENT);
+        let metrics = Vec4::new(pixels.x, pixels.y, point, 0.0);
         Self { clip_from_world: clip_from_pixel, eye: Vec4::new(0.0, 0.0, 0.0, NEAR), metrics, ..Self::zeroed() }
     }
 
@@ -46,10 +45,7 @@ impl PaneUniform {
         let aspect = pixels.x / pixels.y;
         let (right, up, forward) = pane.camera.axes();
         let half_height = (0.5 * Camera::vertical_field(aspect)).tan();
-        // The lights stay with the eye, so that a turned camera sees the same light: key from the upper left,
-        // fill from the right.
-        let key = (up * 0.6 - right * 0.42 - forward * 0.75).normalize();
-        let fill = (right * 0.9 - forward * 0.4 - up * 0.1).normalize();
+        let light = Light::of(&pane.camera);
         let wide = |v: Vec3, w: f32| v.extend(w);
         Self {
             clip_from_world: pane.camera.clip_from_world(aspect),
@@ -57,9 +53,9 @@ impl PaneUniform {
             ray_up: wide(up * half_height, 0.0),
             ray_forward: wide(forward, 0.0),
             eye: wide(pane.camera.eye(), NEAR),
-            key_light: wide(key, 0.72),
-            fill_light: wide(fill, 0.2),
-            metrics: Vec4::new(pixels.x, pixels.y, point, AMBIENT),
+            key_light: wide(light.key.0, light.key.1),
+            fill_light: wide(light.fill.0, light.fill.1),
+            metrics: Vec4::new(pixels.x, pixels.y, point, light.ambient),
         }
     }
 }

@@ -82,6 +82,40 @@ pub fn say<W: io::Write>(encoder: &mut png::Encoder<'_, W>, remarks: &[Remark]) 
     Ok(())
 }
 
+/// Pixels inside of another file as a small PNG, with so many bytes a pixel: grey, colours, or colours with their straight opacity.
+///
+/// # Errors
+/// None but for a picture with no pixels.
+pub fn encode_small(size: [u32; 2], channels: usize, bytes: &[u8]) -> Result<Vec<u8>, EncodingError> {
+    let mut file = vec![];
+    let mut encoder = encoder(&mut file, size, channels == 4);
+    encoder.set_compression(png::Compression::Balanced);
+    if channels == 1 {
+        encoder.set_color(png::ColorType::Grayscale);
+    }
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(bytes)?;
+    writer.finish()?;
+    Ok(file)
+}
+
+/// The packed rows of a PNG file, as other formats take them too: each filtered by the filter that its first byte names.
+#[must_use]
+pub fn packed_rows(file: &[u8]) -> Vec<u8> {
+    let mut rows = vec![];
+    let mut rest = file.get(8..).unwrap_or_default();
+    while let Some((head, after)) = rest.split_at_checked(8) {
+        let length = head.iter().take(4).fold(0_usize, |length, byte| length << 8 | usize::from(*byte));
+        let Some((data, after)) = after.split_at_checked(length) else { break };
+        if head.ends_with(b"IDAT") {
+            rows.extend_from_slice(data);
+        }
+        // Behind it is a check sum.
+        rest = after.get(4..).unwrap_or_default();
+    }
+    rows
+}
+
 /// How every picture is encoded, those of a moving one too: eight bits of sRGB, fast.
 pub fn encoder<W: io::Write>(writer: W, [width, height]: [u32; 2], transparent: bool) -> png::Encoder<'static, W> {
     let mut encoder = png::Encoder::new(writer, width, height);

@@ -8,7 +8,7 @@ use glam::{Mat4, Vec2, Vec3, Vec4};
 use super::buffer::{FrameBuffer, UniformBuffer};
 use super::pane::PaneUniform;
 use super::pipeline::{Lazy, PipelineMaker, Recipe};
-use crate::frame::{Frame, Quadric, QuadricPair};
+use crate::frame::{Frame, Quadric, QuadricPair, Walls};
 
 /// `Pair` of shaders/quadrics.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -74,7 +74,12 @@ impl Quadrics {
                 let start = corners.len() as u32;
                 corners.extend(covering_triangles(pair, uniform.clip_from_world));
                 let corners = start..corners.len() as u32;
-                let passes: &[[f32; 2]] = if pair.hollow { &[[0.0, 1.0], [1.0, 0.0]] } else { &[[1.0, 1.0]] };
+                let passes: &[[f32; 2]] = match (pair.hollow, pair.walls) {
+                    (false, _) => &[[1.0, 1.0]],
+                    (true, Walls::Both) => &[[0.0, 1.0], [1.0, 0.0]],
+                    (true, Walls::Far) => &[[0.0, 1.0]],
+                    (true, Walls::Near) => &[[1.0, 0.0]],
+                };
                 for &[near, far] in passes {
                     draws.push(Draw { number: pairs.len(), far_only: near == 0.0, corners: corners.clone() });
                     pairs.push(pair_uniform(pair, [near, far]));

@@ -11,8 +11,8 @@ use super::targets::extent;
 use crate::frame::{Color, Frame, Pane};
 
 /// Radius of the halo (points).
-const HALO: f32 = 2.4;
-const HALO_OPACITY: f32 = 0.8;
+pub(super) const HALO: f32 = 2.4;
+pub(super) const HALO_OPACITY: f32 = 0.8;
 
 /// Lays out the texts of a frame.
 pub(super) struct Texts {
@@ -47,16 +47,9 @@ impl Texts {
         corners: &mut Vec<QuadData>,
     ) {
         let glyphs = &mut self.glyphs;
-        let lines: Vec<TextLine> =
-            pane.labels.iter().map(|label| glyphs.lay_out(&label.text, label.style.size * point)).collect();
-        let extents: Vec<Vec2> = lines.iter().map(|line| Vec2::from_array(line.extent)).collect();
-        let pixels = Vec2::new(uniform.metrics.x, uniform.metrics.y);
-        let taken: Vec<Box2> = notes.iter().map(|note| note.room).collect();
-        let places = labels::place(pane, uniform, &extents, &taken, pixels, point);
-        let placed = pane.labels.iter().zip(&lines).zip(&places);
-        let placed = placed
-            .filter_map(|((label, line), place)| place.map(|place| (line, place.low, label.color.fade(place.opacity))));
-        let texts: Vec<_> = placed.chain(notes.iter().map(|note| (&note.line, note.low, note.color))).collect();
+        let labels = lay_out_labels(glyphs, pane, uniform, notes, point);
+        let texts = labels.iter().map(|(line, low, color)| (line, *low, *color));
+        let texts: Vec<_> = texts.chain(notes.iter().map(|note| (&note.line, note.low, note.color))).collect();
         let halo = background.alpha(HALO_OPACITY);
         for &(line, low, own) in &texts {
             let around = line.glyphs.iter().filter_map(|glyph| glyphs.halo(glyph, HALO * point));
@@ -97,6 +90,27 @@ impl Texts {
     pub(super) fn atlas(&self) -> Option<&wgpu::TextureView> {
         self.atlas.as_ref().map(|atlas| &atlas.view)
     }
+}
+
+/// The labels of a pane that are seen, each with its upper left corner (pixels of the pane) and its colour there. The notes are
+/// kept free of them.
+pub(super) fn lay_out_labels(
+    glyphs: &mut Glyphs,
+    pane: &Pane,
+    uniform: &PaneUniform,
+    notes: &[PlacedNote],
+    point: f32,
+) -> Vec<(TextLine, Vec2, Color)> {
+    let lines: Vec<TextLine> =
+        pane.labels.iter().map(|label| glyphs.lay_out(&label.text, label.style.size * point)).collect();
+    let extents: Vec<Vec2> = lines.iter().map(|line| Vec2::from_array(line.extent)).collect();
+    let pixels = Vec2::new(uniform.metrics.x, uniform.metrics.y);
+    let taken: Vec<Box2> = notes.iter().map(|note| note.room).collect();
+    let places = labels::place(pane, uniform, &extents, &taken, pixels, point);
+    let placed = pane.labels.iter().zip(lines).zip(places);
+    let seen = placed
+        .filter_map(|((label, line), place)| place.map(|place| (line, place.low, label.color.fade(place.opacity))));
+    seen.collect()
 }
 
 /// A glyph of a text whose upper left corner is this pixel of the picture.

@@ -52,4 +52,16 @@ mod tests {
         assert_eq!(super::slug("../etc: x?"), "etc-x");
         assert_eq!(super::slug("  "), "scene");
     }
+    #[test]
+    fn a_time_is_said_to_the_nanosecond() {
+        for (time, said) in [
+            (0.1 + 0.2, 0.3),
+            (-1.25, -1.25),
+            (2.345_678_901_4, 2.345_678_901),
+            (999_999.1 + 1e-10, 999_999.1),
+            (1e6 + 1e-9, 1e6 + 1e-9),
+        ] {
+            assert_eq!(super::rounded_time(time), said);
+        }
+    }
 }

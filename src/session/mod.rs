@@ -27,7 +27,7 @@ use crate::objects::{self, Cameras, Glide};
 use crate::physics::Motion;
 use crate::scene::{Scene, SceneError, SceneFile, Theme, View, ViewFile};
 use crate::sim::{FlipWatch, History, Simulation, Slowing};
-use crate::ui::{Command, Look, Pixels, Preview, Shown, Timeline};
+use crate::ui::{Command, LARGER, Look, Pixels, Preview, Shown, Timeline};
 
 pub use command_line::slug;
 pub use effect::Effect;
@@ -101,6 +101,7 @@ struct Seen {
     cameras: Cameras,
     size: Pixels,
     glided: f32,
+    is_presented: bool,
 }
 
 impl Session {
@@ -145,7 +146,10 @@ impl Session {
             saved: None,
             undo: Undo::default(),
             scene,
-            shown: Shown::remembered(remembered.panel, remembered.slide, remembered.charts),
+            shown: Shown {
+                presenting: remembered.presenting,
+                ..Shown::remembered(remembered.panel, remembered.slide, remembered.charts)
+            },
             message: None,
             text_size: remembered.text_size,
             picture_size: Pixels::ONE,
@@ -190,13 +194,14 @@ impl Session {
     #[must_use]
     pub fn frame(&self, aspect: f32) -> Frame {
         let part = self.glided();
+        let type_scale = if self.shown.presenting { LARGER } else { 1.0 };
         match &self.origin {
             Some(origin) if part < 1.0 => {
                 let cameras = Cameras::between(&origin.cameras, &self.cameras, part);
                 let glide = Glide { from: &origin.view, part };
-                objects::build_frame_on_the_way(&self.scene, &self.sim, &cameras, aspect, 1.0, Some(glide))
+                objects::build_frame_on_the_way(&self.scene, &self.sim, &cameras, aspect, type_scale, Some(glide))
             }
-            _ => objects::build_frame(&self.scene, &self.sim, &self.cameras, aspect),
+            _ => objects::build_frame_scaled(&self.scene, &self.sim, &self.cameras, aspect, type_scale),
         }
     }
 
@@ -268,10 +273,17 @@ impl Session {
         self.text_size
     }
 
+    /// Whether it is in presenter's mode.
+    #[must_use]
+    pub fn is_presenting(&self) -> bool {
+        self.shown.presenting
+    }
+
     /// What is kept for the next time, but for what the front end itself keeps.
     pub fn remember(&self, remembered: &mut Remembered) {
         remembered.text_size = self.text_size;
         remembered.panel = self.shown.panel;
+        remembered.presenting = self.shown.presenting;
         remembered.slide = self.shown.slide;
         remembered.charts = self.shown.charts;
     }
@@ -330,7 +342,12 @@ impl Session {
             Command::Slower => self.set_speed(self.sim.clock.speed.abs() / 2.0),
             Command::SetSpeed(speed) => self.set_speed(speed),
             Command::Restart => self.restart(),
-            Command::GoTo(time) => self.go_to(time),
+            Command::GoTo(time) => {
+                self.shown.asking_time = false;
+                self.go_to(time);
+            }
+            Command::AskTime => self.shown.asking_time = true,
+            Command::AskNothing => self.shown.asking_time = false,
             Command::NextFlip => self.go_to_next_flip(),
             Command::LoopFlip => self.loop_flip(),
             Command::ToggleSlow => self.toggle_slow(),
@@ -380,7 +397,8 @@ impl Session {
             Command::TextSize(factor) => {
                 self.text_size = if factor > 0.0 { (self.text_size * factor).clamp(0.5, 3.0) } else { 1.0 };
             }
-            Command::TogglePanel => self.shown.panel = !self.shown.panel,
+            Command::TogglePresenter => self.shown.presenting = !self.shown.presenting,
+            Command::TogglePanel => self.toggle_panel(),
             Command::ToggleSlide => self.shown.slide = !self.shown.slide,
             Command::ToggleAnswer => self.toggle_answer(),
             Command::ToggleCharts => self.shown.charts = !self.shown.charts,
@@ -393,6 +411,7 @@ impl Session {
             Command::SaveNothing => self.shown.saving = None,
             Command::Say(text) => self.say(text),
             Command::FocusPanel => {
+                self.shown.presenting = false;
                 self.shown.panel = true;
                 return vec![Effect::FocusPanel];
             }
@@ -433,6 +452,7 @@ impl Session {
             cameras: self.cameras,
             size: self.picture_size,
             glided: self.glided(),
+            is_presented: self.shown.presenting,
         }
     }
 

@@ -13,6 +13,8 @@ pub struct Remembered {
     pub maximized: bool,
     /// Factor on the size of text.
     pub text_size: f32,
+    /// Whether it was in presenter's mode.
+    pub presenting: bool,
     /// Whether the panel was shown.
     pub panel: bool,
     /// Whether the scene's text was shown.
@@ -23,7 +25,15 @@ pub struct Remembered {
 
 impl Default for Remembered {
     fn default() -> Self {
-        Self { size: None, maximized: false, text_size: 1.0, panel: true, slide: true, charts: false }
+        Self {
+            size: None,
+            maximized: false,
+            text_size: 1.0,
+            presenting: false,
+            panel: true,
+            slide: true,
+            charts: false,
+        }
     }
 }
 

@@ -21,7 +21,7 @@ pub(super) fn tilted(scene: &Scene, tilt_deg: f64) -> SpinFile {
     let along = axis * axis.dot(principal).signum();
     let Some(side) = (principal - principal.dot(axis) * axis).try_normalize() else { return on_axis(scene, spin) };
     if tilt_deg == 0.0 {
-        return on_axis(scene, Spin { rate: spin.rate * axis.dot(along), ..spin });
+        return on_axis(scene, Spin { rate: spin.rate.copysign(axis.dot(principal)), ..spin });
     }
     let (sine, cosine) = tilt_deg.to_radians().sin_cos();
     with_components(scene, (along * cosine + side * sine) * spin.rate)

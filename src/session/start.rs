@@ -110,6 +110,9 @@ mod tests {
                 let found = with_energy(&body, momentum, energy).unwrap_or_default();
                 assert!((body.energy(found) - energy).abs() < 1e-14 * energy, "{found} {energy}");
                 assert!((found.length() - ell).abs() < 1e-14 * ell, "{found}");
+                // A component keeps its side; of one that is naught it is the positive one.
+                let sides = found.to_array().into_iter().zip(momentum.to_array());
+                assert!(sides.into_iter().all(|(now, then)| now == 0.0 || (now < 0.0) == (then < 0.0)), "{found}");
             }
         }
         Ok(())
@@ -122,6 +125,24 @@ mod tests {
             let found = on_separatrix(&body, momentum).unwrap_or_default();
             assert_eq!(poinsot::classify(&body, found), MotionClass::Separatrix, "{found}");
             assert!(poinsot::next_flip(&body, found).is_some(), "{found} must leave the axis");
+            // Of the same length and as near to the axis, but for a start on it.
+            assert!((found.length() - momentum.length()).abs() < 1e-15 * 4.0, "{found}");
+            let nearest = momentum.length() * (1.0 - 1e-6_f64).sqrt();
+            assert!((found.y.abs() - momentum.y.abs().min(nearest)).abs() < 1e-15 * 4.0, "{found}");
+            assert_eq!(found.y < 0.0, momentum.y < 0.0);
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn where_nothing_turns_there_is_nothing_to_choose() -> Result<(), BodyError> {
+        let body = body()?;
+        for momentum in [DVec3::ZERO, DVec3::NAN, DVec3::INFINITY] {
+            assert_eq!((with_energy(&body, momentum, 1.0), on_separatrix(&body, momentum)), (None, None), "{momentum}");
+        }
+        for moments in [DVec3::new(0.5, 1.0, 1.0), DVec3::new(0.5, 0.5, 0.8)] {
+            let body = Body::from_moments(moments)?;
+            assert_eq!((with_energy(&body, DVec3::ONE, 1.0), on_separatrix(&body, DVec3::ONE)), (None, None));
         }
         Ok(())
     }

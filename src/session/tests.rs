@@ -456,6 +456,8 @@ fn only_what_changes_the_picture_redraws_it() -> Result<(), SceneError> {
         Command::Step(1),
         Command::SetTilt(3.0),
         Command::Resize(Pixels::new(500.0, 400.0)),
+        Command::TogglePresenter,
+        Command::TogglePresenter,
     ] {
         assert!(driven.redraws(command.clone()), "{command:?}");
     }
@@ -496,9 +498,36 @@ fn a_presenters_choices_stay_from_scene_to_scene() -> Result<(), SceneError> {
     driven.session.remember(&mut remembered);
     assert!(remembered.charts && remembered.panel && remembered.slide);
     assert_eq!(Remembered::read(&remembered.text()), remembered);
+    assert!(!remembered.presenting);
+    driven.apply(Command::TogglePresenter);
+    driven.session.remember(&mut remembered);
+    assert!(remembered.presenting && Remembered::read(&remembered.text()) == remembered);
+    // Words in the picture are larger by the factor by which the scene's are.
+    let frame = driven.session.frame(1.25);
+    driven.apply(Command::NextScene);
+    assert!(driven.session.shown.presenting);
+    driven.apply(Command::PreviousScene);
+    // The panel is asked back as it was before.
+    driven.apply(Command::TogglePanel);
+    assert!(driven.session.shown.panel && !driven.session.shown.presenting);
+    assert_eq!(frame.font_scale, crate::ui::LARGER * driven.session.frame(1.25).font_scale);
     assert_eq!(Remembered::read("size = [1.0, 1.0]"), Remembered::default());
     driven.apply(Command::TextSize(0.0));
     assert_eq!(driven.session.text_size(), 1.0);
+    Ok(())
+}
+
+#[test]
+fn a_time_is_asked_for_until_one_is_gone_to() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::PlayPause);
+    driven.apply(Command::AskTime);
+    assert!(driven.session.shown.asking_time && !driven.redraws(Command::AskTime));
+    driven.apply(Command::AskNothing);
+    assert!(!driven.session.shown.asking_time);
+    driven.apply(Command::AskTime);
+    driven.apply(Command::GoTo(-2.5));
+    assert_eq!((driven.session.time(), driven.session.shown.asking_time), (-2.5, false));
     Ok(())
 }
 

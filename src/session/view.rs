@@ -29,6 +29,12 @@ impl Session {
         self.edit(|file| *file.written_at(at).layout = Some(layout));
     }
 
+    /// Shows the panel or hides it; a presenter who asks for it wants the usual window back.
+    pub(super) fn toggle_panel(&mut self) {
+        let was_presenting = std::mem::take(&mut self.shown.presenting);
+        self.shown.panel = was_presenting || !self.shown.panel;
+    }
+
     /// Opens the answer, or closes it again.
     pub(super) fn toggle_answer(&mut self) {
         if self.scene.file.answer.trim().is_empty() {

@@ -25,6 +25,10 @@ pub enum Command {
     Restart,
     /// Goes to this time (s).
     GoTo(f64),
+    /// Asks which time to go to.
+    AskTime,
+    /// Leaves the question for a time unanswered.
+    AskNothing,
     /// To the next flip.
     NextFlip,
     /// Runs through one flip again and again, or no longer.
@@ -131,6 +135,8 @@ pub enum Command {
     },
     /// Dark or light.
     ToggleTheme,
+    /// Presenter's mode, or no longer: large words, no panel, a slim strip.
+    TogglePresenter,
     /// Shows or hides the panel.
     TogglePanel,
     /// Shows or hides the scene's title, text and question.

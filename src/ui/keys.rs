@@ -85,6 +85,7 @@ pub static BINDINGS: &[Binding] = &[
     row("Shift+S", &[(Down, Key::S)], "slow at each flip", Command::ToggleSlow, |look| {
         Some(on_off(look.scene.view.slow_at_flip))
     }),
+    row(":, Shift+T", &[(Any, Key::Colon), (Down, Key::T)], "go to a time that is typed", Command::AskTime, silent),
     row("K", &[(Up, Key::K)], "poke", Command::Poke, silent),
     row("1", &[(Any, Key::Num1)], "spin about axis 1 (smallest moment)", Command::SpinAxis(1), silent),
     row("2", &[(Any, Key::Num2)], "spin about axis 2 (middle moment)", Command::SpinAxis(2), silent),
@@ -119,6 +120,9 @@ pub static BINDINGS: &[Binding] = &[
     }),
     row("S", &[(Up, Key::S)], "text of the scene", Command::ToggleSlide, |look| Some(on_off(look.shown.slide))),
     row("G", &[(Up, Key::G)], "graphs", Command::ToggleCharts, |look| Some(on_off(look.shown.charts))),
+    row("P", &[(Up, Key::P)], "presenter's mode: large words, no panel", Command::TogglePresenter, |look| {
+        Some(on_off(look.shown.presenting))
+    }),
     row("Tab", &[(Up, Key::Tab)], "panel", Command::TogglePanel, |look| Some(on_off(look.shown.panel))),
     row("F6", &[(Up, Key::F6)], "keyboard into the panel (Esc leaves)", Command::FocusPanel, silent),
     row("F11", &[(Up, Key::F11)], "full screen", Command::ToggleFullscreen, |look| Some(on_off(look.fullscreen))),

@@ -76,6 +76,23 @@ impl Look<'_> {
         self.scene.view.time_unit.sign()
     }
 
+    /// Which step of the scene it is, where it is told in steps.
+    pub(super) fn step_words(&self) -> Option<String> {
+        let count = self.scene.file.steps.len();
+        self.scene.at.map(|step| format!("step {} of {count}", step + 1))
+    }
+
+    /// That the clock runs slowly, where it does.
+    pub(super) fn slow_words(&self) -> Option<String> {
+        // Two digits: it changes all the time.
+        (self.slowed < 0.995).then(|| format!("slow motion {:.2}×", self.slowed))
+    }
+
+    /// Factor on the size of the scene's words.
+    pub(super) fn words_scale(&self) -> f32 {
+        if self.shown.presenting { super::presenter::LARGER } else { 1.0 }
+    }
+
     /// The unit of energies, with a space before it.
     pub(super) fn energy_unit(&self) -> &'static str {
         match self.scene.view.time_unit {
@@ -131,6 +148,8 @@ fn drawn(color: Color) -> Color32 {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[allow(clippy::struct_excessive_bools, reason = "each is shown or not, whatever the others are")]
 pub struct Shown {
+    /// Large words and a slim strip, and no panel: presenter's mode.
+    pub presenting: bool,
     /// The panel and the strip of time.
     pub panel: bool,
     /// The scene's title, text and question.
@@ -139,6 +158,8 @@ pub struct Shown {
     pub answer: bool,
     /// The charts.
     pub charts: bool,
+    /// The field for a time to go to.
+    pub asking_time: bool,
     /// The sheet of keys.
     pub help: bool,
     /// The file about which it is asked whether the scene is to be written there.
@@ -149,7 +170,7 @@ impl Shown {
     /// As it was the last time, with nothing asked.
     #[must_use]
     pub fn remembered(panel: bool, slide: bool, charts: bool) -> Self {
-        Self { panel, slide, charts, answer: false, help: false, saving: None }
+        Self { presenting: false, panel, slide, charts, answer: false, asking_time: false, help: false, saving: None }
     }
 }
 

@@ -10,11 +10,13 @@ mod look;
 mod method;
 pub mod numbers;
 mod picture;
+mod presenter;
 mod readouts;
 mod save;
 mod slide;
 mod spin;
 pub mod style;
+mod time_field;
 mod timeline;
 mod transport;
 mod viewport;
@@ -25,6 +27,7 @@ use egui::{ComboBox, Frame, Margin, Panel, Rect, RichText, ScrollArea, Ui};
 pub use command::{Command, Pixels};
 pub use keys::path_in;
 pub use look::{Look, Preview, Shown};
+pub use presenter::LARGER;
 pub use spin::Spin;
 pub use timeline::Timeline;
 pub use transport::SPEED_POWERS;
@@ -55,10 +58,11 @@ const PICTURE_SHARE: f32 = 0.45;
 const CHARTS_HEIGHT: (f32, f32) = (110.0, 190.0);
 
 /// All panels.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Panels {
     charts: charts::Charts,
     viewport: viewport::Viewport,
+    time_field: time_field::TimeField,
     tab: Tab,
     /// Whether the keyboard's focus is to move into the panel.
     focus_wanted: bool,
@@ -77,7 +81,9 @@ impl Panels {
     pub fn ui(&mut self, ui: &mut Ui, look: &Look<'_>) -> Outcome {
         let mut commands = Vec::new();
         let room = ui.available_size();
-        if look.shown.panel {
+        if look.shown.presenting {
+            presenter::strip(ui, look, &mut commands);
+        } else if look.shown.panel {
             // In a narrow window the strip of time has the whole width.
             if room.x < NARROW {
                 transport_ui(ui, look, &mut commands);
@@ -104,6 +110,11 @@ impl Panels {
         }
         if look.shown.help {
             help::show(ui, look, &mut commands);
+        }
+        if look.shown.asking_time {
+            self.time_field.ui(ui, look, &mut commands);
+        } else {
+            self.time_field = time_field::TimeField::default();
         }
         if let Some(place) = &look.shown.saving {
             save::show(ui, place, &mut commands);

@@ -86,6 +86,8 @@ const UNITS: &[(&str, Measures, f64)] = &[
     ("µs", Measures::Time, 1e-6),
     ("us", Measures::Time, 1e-6),
     ("min", Measures::Time, 60.0),
+    ("h", Measures::Time, 3600.0),
+    ("d", Measures::Time, DAY),
     ("°", Measures::Angle, std::f64::consts::PI / 180.0),
     ("deg", Measures::Angle, std::f64::consts::PI / 180.0),
     ("rad", Measures::Angle, 1.0),

@@ -32,14 +32,19 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
         lines(&file.title)
     };
     let at = look.scene.at;
+    // Where no strip says it.
+    let place = look.step_words().filter(|_| !look.shown.panel && !look.shown.presenting);
+    let title =
+        place.map_or(title.clone(), |place| format!("{title}  ·  {place}").trim_start_matches("  ·  ").to_owned());
+    let [title_size, words_size] = [TITLE, WORDS].map(|size| size * look.words_scale());
     // A question may name what the steps have yet to show.
     let question = if file.asks_at(at) || look.shown.answer { lines(&file.question) } else { String::new() };
     let answer = if look.shown.answer { lines(&file.answer) } else { String::new() };
     let parts = [
-        (title, TITLE, text_color),
-        (lines(file.text_at(at)), WORDS, text_color.gamma_multiply(faded)),
-        (asked(&question, look), WORDS, accent.gamma_multiply(faded)),
-        (answer, WORDS, text_color.gamma_multiply(faded)),
+        (title, title_size, text_color),
+        (lines(file.text_at(at)), words_size, text_color.gamma_multiply(faded)),
+        (asked(&question, look), words_size, accent.gamma_multiply(faded)),
+        (answer, words_size, text_color.gamma_multiply(faded)),
         (missing(ui, file), WORDS, style::warning(ui.visuals().dark_mode)),
     ];
     let width = ui.available_width() - 2.0 * f32::from(SIDE);
@@ -58,7 +63,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
         ui.spacing_mut().item_spacing.y = BETWEEN;
         for (text, size, color) in fitting {
             let text = RichText::new(text).size(*size).color(*color);
-            ui.label(if *size == TITLE { text.strong() } else { text });
+            ui.label(if *size == title_size { text.strong() } else { text });
         }
     });
 }

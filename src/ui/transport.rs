@@ -1,9 +1,9 @@
 //! The strip below the picture: time and what moves it.
 
-use egui::{Align, Layout, RichText, Slider, Ui};
+use egui::{Align, Layout, RichText, Slider, Ui, vec2};
 
 use super::icons::{Icon, icon_button};
-use super::keys::keys_of;
+use super::keys::{hint_of, keys_of};
 use super::{Command, Look, Timeline, numbers, style, timeline};
 use crate::physics::MotionClass;
 use crate::physics::poinsot;
@@ -45,7 +45,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             button(ui, Icon::Next, "to the next flip", 34.0, None, Command::NextFlip);
         });
         ui.add_space(8.0);
-        clock_ui(ui, look);
+        clock_ui(ui, look, commands);
         if !is_narrow {
             flips(ui, look);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| speed(ui, look, commands));
@@ -67,15 +67,41 @@ pub(super) fn is_narrow(width: f32) -> bool {
 }
 
 /// The time, with as many decimals as one step shows in.
-fn clock_ui(ui: &mut Ui, look: &Look<'_>) {
+fn clock_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let decimals = (-look.sim.step_length().log10()).ceil().clamp(2.0, 6.0) as usize;
     let time = format!("{:.decimals$} {}", look.sim.time(), look.time_unit()).replace('-', "−");
     // It keeps its place while the last digits run.
     let width = 13.5 * time.chars().count().max(decimals + 5) as f32;
-    ui.add_sized([width, 30.0], egui::Label::new(RichText::new(time).monospace().size(22.0)).halign(Align::Min));
+    let text = egui::Label::new(RichText::new(time).monospace().size(22.0)).halign(Align::Min);
+    let clock = ui.add_sized([width, 30.0], text.sense(egui::Sense::click()));
+    if clock.on_hover_text(hint_of(&Command::AskTime)).clicked() {
+        commands.push(Command::AskTime);
+    }
 }
 
+/// The speed, and below it where one is in the scene and that time runs slowly.
 fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    let slow = look.slow_words();
+    if slow.is_none() && look.scene.at.is_none() {
+        return speed_row(ui, look, commands);
+    }
+    ui.allocate_ui_with_layout(vec2(SPEED_WIDTH, 42.0), Layout::top_down(Align::Max), |ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.allocate_ui_with_layout(vec2(SPEED_WIDTH, 24.0), Layout::right_to_left(Align::Center), |ui| {
+            speed_row(ui, look, commands);
+        });
+        ui.allocate_ui_with_layout(vec2(SPEED_WIDTH, 18.0), Layout::right_to_left(Align::Center), |ui| {
+            if let Some(step) = look.step_words() {
+                ui.label(RichText::new(step).size(14.5));
+            }
+            if let Some(slow) = slow {
+                ui.label(RichText::new(slow).size(14.5).color(style::warning(ui.visuals().dark_mode)));
+            }
+        });
+    });
+}
+
+fn speed_row(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let speed = look.sim.clock.speed;
     let text = RichText::new(numbers::speed(speed)).monospace().size(16.0);
     ui.add_sized([58.0, 24.0], egui::Label::new(text).halign(Align::Max));
@@ -104,39 +130,39 @@ fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         }
     }
     // Said only where the machine cannot keep up: otherwise it is the speed that is set.
-    if let Some(factor) = look.real_time_factor
+    if look.slowed == 1.0
+        && let Some(factor) = look.real_time_factor
         && (factor / speed - 1.0).abs() > 0.05
     {
         ui.label(RichText::new(format!("really {factor:.2}×").replace('-', "−")).weak());
     }
 }
 
+/// When it flips next, in words, and whether that is at once.
+pub(super) fn next_flip(look: &Look<'_>) -> (String, bool) {
+    let speed = look.sim.clock.speed;
+    let text = match look.timeline.next_flip(look.sim.time(), speed < 0.0) {
+        Some(next) => {
+            let wait = (next - look.sim.time()).abs();
+            return (format!("next flip in {}", look.duration(wait)), wait < SOON * speed.abs());
+        }
+        None if look.loses_energy() => "flips are not predicted",
+        None if look.timeline.first_flip.is_some() => "no flip comes any more",
+        None => "it does not flip",
+    };
+    (text.to_owned(), false)
+}
+
 /// How often it flips and when next.
 fn flips(ui: &mut Ui, look: &Look<'_>) {
-    let large = |text: String| RichText::new(text).size(20.0).strong();
     let words = |text: String| RichText::new(text).size(14.5);
     let speed = look.sim.clock.speed;
     let next = look.timeline.next_flip(look.sim.time(), speed < 0.0);
     ui.vertical(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
-        match next {
-            Some(next) => {
-                let wait = (next - look.sim.time()).abs();
-                let text = large(format!("next flip in {}", look.duration(wait)));
-                let is_soon = wait < SOON * speed.abs();
-                let color = style::warning(ui.visuals().dark_mode);
-                ui.label(if is_soon { text.color(color) } else { text });
-            }
-            None if look.loses_energy() => {
-                ui.label(large("flips are not predicted".to_owned()));
-            }
-            None if look.timeline.first_flip.is_some() => {
-                ui.label(large("no flip comes any more".to_owned()));
-            }
-            None => {
-                ui.label(large("it does not flip".to_owned()));
-            }
-        }
+        let (text, is_soon) = next_flip(look);
+        let text = RichText::new(text).size(20.0).strong();
+        ui.label(if is_soon { text.color(style::warning(ui.visuals().dark_mode)) } else { text });
         if look.loses_energy() {
             let left = 100.0 * (1.0 + look.sim.energy_error());
             ui.label(words(format!("energy is lost: {left:.1} % of K is left")));

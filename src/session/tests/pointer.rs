@@ -140,6 +140,12 @@ fn outside_of_the_sphere_nothing_is_picked_but_a_drag_follows_its_outline() -> R
         let height = camera.eye().dot(point);
         assert!((height - 1.0).abs() < 1e-5, "{height}");
     }
+    // Nothing that is at rest is set turning by a click.
+    let text = "title = 'rest'\n[spin]\nomega = [0.0, 0.0, 0.0]".to_owned();
+    driven.apply(Command::OpenText { name: "rest.toml".to_owned(), text });
+    let before = driven.file().clone();
+    driven.apply(Command::Pick(Pixels::new(720.0, 240.0)));
+    assert_eq!(*driven.file(), before);
     // Without a view of momentum there is nothing to pick.
     driven.apply(Command::SetLayout(Layout::World));
     let before = driven.file().clone();

@@ -1,0 +1,92 @@
+//! Figures of vectors: a [`Frame`] as SVG or PDF. Lines, marks and texts are written as what they are, cut where surfaces hide
+//! them by solving for it; the shaded surfaces lie under them as pixels that [`render`](crate::render) has drawn, or as flat areas.
+//!
+//! What is drawn and where is the picture's: the same frame, the same places of labels, the same order.
+
+mod drawing;
+mod facets;
+mod figure;
+mod fonts;
+mod lines;
+mod marks;
+mod metadata;
+mod pdf;
+mod sheets;
+mod shells;
+mod sight;
+#[cfg(test)]
+mod sight_test;
+mod svg;
+
+use crate::frame::Frame;
+use crate::render::png::{EncodingError, Remark};
+
+pub use figure::{Surfaces, surfaces};
+
+/// How texts are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Letters {
+    /// As text, with the fonts in the file.
+    #[default]
+    Text,
+    /// As outlines, which need no font.
+    Outlines,
+}
+
+/// How shaded surfaces are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shading {
+    /// As pixels, beneath the lines.
+    #[default]
+    Pixels,
+    /// As areas of one colour or a gradient: all is vectors.
+    Flat,
+}
+
+/// How a figure is written, whatever its size.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FigureStyle {
+    /// Its texts.
+    pub letters: Letters,
+    /// Its surfaces.
+    pub shading: Shading,
+}
+
+/// What a figure is to be like, besides its frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FigureOptions {
+    /// Width and height in pixels, as those of the picture would be.
+    pub size: [u32; 2],
+    /// Its width and height on paper, in points of 1/72 in; none where it is for a screen, a pixel being one of browsers'.
+    pub paper: Option<[f64; 2]>,
+    /// Width of the thinnest line that is written (pixels).
+    pub thinnest: f64,
+    /// How it is written.
+    pub style: FigureStyle,
+}
+
+/// A frame as SVG, over its surfaces drawn as pixels. The remarks are kept in its metadata.
+///
+/// # Errors
+/// None but for pixels that cannot be encoded.
+pub fn svg(
+    frame: &Frame,
+    surfaces: &Surfaces,
+    options: &FigureOptions,
+    remarks: &[Remark],
+) -> Result<String, EncodingError> {
+    svg::write(&figure::draw(frame, surfaces, options), options, remarks)
+}
+
+/// The same as PDF, of one page as large as the figure.
+///
+/// # Errors
+/// None but for pixels that cannot be encoded.
+pub fn pdf(
+    frame: &Frame,
+    surfaces: &Surfaces,
+    options: &FigureOptions,
+    remarks: &[Remark],
+) -> Result<Vec<u8>, EncodingError> {
+    pdf::write(&figure::draw(frame, surfaces, options), options, remarks)
+}
