@@ -9,6 +9,8 @@ mod open;
 mod pacing;
 mod remember;
 mod screen;
+mod sheet;
+mod stale;
 mod startup;
 mod surface;
 mod trial;

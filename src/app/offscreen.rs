@@ -65,7 +65,6 @@ pub fn with_panels(
         }
         let painted = Painted {
             primitives: context.tessellate(output.shapes, output.pixels_per_point),
-            textures: output.textures_delta,
             pixels_per_point: output.pixels_per_point,
             background: context.global_style().visuals.panel_fill,
         };

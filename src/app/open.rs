@@ -11,7 +11,8 @@ use winit::window::{Fullscreen, Window, WindowAttributes};
 
 use super::files;
 use super::mapping::Mapping;
-use super::screen::{Painted, Presented, Screen};
+use super::screen::{Presented, Screen};
+use super::stale::Shown;
 use super::{Wake, WindowError, WindowOptions};
 use crate::render::{png, point_size};
 use crate::session::{Remembered, Session};
@@ -243,15 +244,15 @@ impl OpenWindow {
             .filter(|delay| *delay < LONG);
 
         let panels_done = Instant::now();
-        let corner = self.draw_picture(session, picture, output.pixels_per_point, drawn);
+        let picture = self.draw_picture(session, picture, output.pixels_per_point, drawn);
         let picture_done = Instant::now();
-        let painted = Painted {
-            primitives: context.tessellate(output.shapes, output.pixels_per_point),
-            textures: output.textures_delta,
+        let shown = Shown {
+            shapes: output.shapes,
             pixels_per_point: output.pixels_per_point,
             background: context.global_style().visuals.panel_fill,
+            picture,
         };
-        let presented = self.screen.present(&self.window, painted, corner);
+        let presented = self.screen.present(&self.window, &context, shown, output.textures_delta);
         Drawn {
             commands,
             repaint_after: if presented == Presented::Again { Some(Duration::ZERO) } else { repaint_after },
@@ -293,7 +294,7 @@ impl OpenWindow {
         }
     }
 
-    /// Redraws the picture where something in it changed since the revision that was drawn. Gives its corner in the window
+    /// Redraws the picture where something in it changed since the revision that was drawn. Gives its place in the window
     /// (pixels).
     fn draw_picture(
         &mut self,
@@ -301,10 +302,10 @@ impl OpenWindow {
         picture: egui::Rect,
         pixels_per_point: f32,
         drawn: &mut Option<u64>,
-    ) -> (u32, u32) {
+    ) -> egui::Rect {
         let (corner, size) = place(picture, pixels_per_point, self.screen.size());
         if size.0 == 0 || size.1 == 0 {
-            return corner;
+            return in_window(corner, size);
         }
         let pixels = Pixels::new(size.0 as f32, size.1 as f32);
         session.apply(Command::Resize(pixels), Instant::now());
@@ -312,9 +313,16 @@ impl OpenWindow {
         if is_new || *drawn != Some(session.revision()) {
             *drawn = Some(session.revision());
             self.screen.draw_picture(&session.frame(pixels.x / pixels.y), picture_point(pixels_per_point, size));
+            session.set_names(self.screen.names());
         }
-        corner
+        in_window(corner, size)
     }
+}
+
+/// A place of this corner and size (pixels).
+fn in_window(corner: (u32, u32), size: (u32, u32)) -> egui::Rect {
+    let corner = egui::pos2(corner.0 as f32, corner.1 as f32);
+    egui::Rect::from_min_size(corner, egui::vec2(size.0 as f32, size.1 as f32))
 }
 
 fn open_screen(

@@ -7,8 +7,10 @@ use winit::event_loop::OwnedDisplayHandle;
 use winit::window::Window;
 
 use super::WindowError;
+use super::sheet::Sheet;
+use super::stale::Shown;
 use super::surface::{Acquired, Surface};
-use crate::frame::Frame;
+use crate::frame::{Frame, PlacedName};
 use crate::render::{Canvas, Gpu, GpuError, Painter, Pixels, adapters};
 
 /// The device, the window's surface and what is drawn with.
@@ -17,6 +19,10 @@ pub(super) struct Screen {
     surface: Surface,
     painter: Painter,
     panels: egui_wgpu::Renderer,
+    /// The window's pixels, where they are kept.
+    sheet: Option<Sheet>,
+    /// Whether the picture is another one than that of the last frame.
+    is_picture_new: bool,
     gpu: Gpu,
     instance: wgpu::Instance,
     is_lost: Arc<AtomicBool>,
@@ -39,8 +45,6 @@ pub(super) enum Presented {
 pub(super) struct Painted {
     /// Triangles.
     pub(super) primitives: Vec<egui::ClippedPrimitive>,
-    /// Textures made and dropped.
-    pub(super) textures: egui::TexturesDelta,
     /// Pixels a point.
     pub(super) pixels_per_point: f32,
     /// Behind everything.
@@ -66,7 +70,7 @@ impl Screen {
                 WindowError::Display(error.to_string())
             }
         })?;
-        let gpu = pollster::block_on(Gpu::for_surface(&instance, &surface, adapter))?;
+        let mut gpu = pollster::block_on(Gpu::for_surface(&instance, &surface, adapter))?;
         let is_lost = Arc::new(AtomicBool::new(false));
         let is_trial = Arc::new(AtomicBool::new(false));
         let (flag, trial) = (Arc::clone(&is_lost), Arc::clone(&is_trial));
@@ -78,9 +82,13 @@ impl Screen {
             }
         });
         let surface = Surface::new(surface, &gpu, window)?;
+        let sheet = surface.takes_copies().then(Sheet::default);
+        if sheet.is_some() {
+            gpu.draw_as(surface.format());
+        }
         let painter = Painter::for_window(&gpu, surface.format());
         let panels = egui_wgpu::Renderer::new(&gpu.device, surface.format(), egui_wgpu::RendererOptions::default());
-        Ok(Self { surface, painter, panels, gpu, instance, is_lost, is_trial })
+        Ok(Self { surface, painter, panels, sheet, is_picture_new: false, gpu, instance, is_lost, is_trial })
     }
 
     /// Whether the device is gone and everything on it.
@@ -116,7 +124,13 @@ impl Screen {
 
     /// Draws the picture, with this many pixels a point.
     pub(super) fn draw_picture(&mut self, frame: &Frame, point: f32) {
+        self.is_picture_new = true;
         self.painter.draw_picture(&self.gpu, frame, point);
+    }
+
+    /// The labels of the picture, where they stand.
+    pub(super) fn names(&self) -> &[PlacedName] {
+        self.painter.names()
     }
 
     /// Draws a picture apart from the window.
@@ -126,20 +140,38 @@ impl Screen {
         canvas.finish_read(&self.gpu, &reading).map_err(|error| error.to_string())
     }
 
-    /// Draws the picture at its place, the panels on top, and presents.
+    /// Draws the picture at its place, the panels on top, and presents. The context is that of the panels.
     pub(super) fn present(
         &mut self,
         window: &Arc<Window>,
-        mut painted: Painted,
-        picture_corner: (u32, u32),
+        context: &egui::Context,
+        shown: Shown,
+        mut textures: egui::TexturesDelta,
     ) -> Presented {
+        // A texture as a whole is another one, whatever shows it.
+        if let Some(sheet) = &mut self.sheet
+            && textures.set.values().flatten().any(egui::epaint::ImageDelta::is_whole)
+        {
+            sheet.forget();
+        }
         // Also where no frame is had: the next pass only tells what changed since.
-        upload(&self.gpu, &mut self.panels, &mut painted.textures);
+        upload(&self.gpu, &mut self.panels, &mut textures);
         let presented = match self.surface.acquire(&self.instance, &self.gpu, window) {
             Acquired::Frame { texture, is_suboptimal } => {
-                let view = texture.texture.create_view(&wgpu::TextureViewDescriptor::default());
-                let picture = (&self.painter, picture_corner);
-                paint(&self.gpu, (&view, self.surface.size()), picture, &mut self.panels, &painted);
+                let is_picture_new = std::mem::take(&mut self.is_picture_new);
+                if let Some(sheet) = &mut self.sheet {
+                    let panels = (&mut self.panels, context);
+                    sheet.paint(&self.gpu, &texture.texture, (&self.painter, is_picture_new), panels, shown);
+                } else {
+                    let view = texture.texture.create_view(&wgpu::TextureViewDescriptor::default());
+                    let picture = (&self.painter, (shown.picture.min.x as u32, shown.picture.min.y as u32));
+                    let painted = Painted {
+                        primitives: context.tessellate(shown.shapes, shown.pixels_per_point),
+                        pixels_per_point: shown.pixels_per_point,
+                        background: shown.background,
+                    };
+                    paint(&self.gpu, (&view, self.surface.size()), picture, &mut self.panels, &painted);
+                }
                 window.pre_present_notify();
                 self.gpu.queue.present(texture);
                 if is_suboptimal {
@@ -154,7 +186,7 @@ impl Screen {
                 Presented::Skipped
             }
         };
-        for id in painted.textures.free.drain() {
+        for id in textures.free.drain() {
             self.panels.free_texture(&id);
         }
         presented

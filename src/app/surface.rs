@@ -50,10 +50,20 @@ impl Surface {
         if let Some(format) = plain.into_iter().find(|format| formats.contains(format)) {
             config.format = format;
         }
+        // Where there is no GPU a frame is a copy of pixels that are kept.
+        let usages = surface.get_capabilities(&gpu.adapter).usages;
+        if gpu.is_software() && plain.contains(&config.format) && usages.contains(wgpu::TextureUsages::COPY_DST) {
+            config.usage |= wgpu::TextureUsages::COPY_DST;
+        }
         config.present_mode = wgpu::PresentMode::AutoVsync;
         config.desired_maximum_frame_latency = 1;
         surface.configure(&gpu.device, &config);
         Ok(Self { inner: surface, config, faults: 0 })
+    }
+
+    /// Whether frames are made by copying to them.
+    pub(super) fn takes_copies(&self) -> bool {
+        self.config.usage.contains(wgpu::TextureUsages::COPY_DST)
     }
 
     /// Format of the frames.

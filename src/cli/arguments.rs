@@ -14,6 +14,8 @@ use dzhanibekov::scene::{DEFAULT_PRESET, Edit, Edits, Scene, SceneError, SceneFi
 use super::failure::{Failure, say};
 use super::flags::{SceneFlags, ViewFlags as ViewArguments};
 #[cfg(feature = "headless")]
+use super::page::PageArguments;
+#[cfg(feature = "headless")]
 use super::size::SizeArguments;
 
 /// The scene and what is said over it.
@@ -58,6 +60,8 @@ pub(super) struct PictureArguments {
     /// Let the file say nothing of itself
     #[arg(long, conflicts_with = "metadata", help_heading = "Picture")]
     pub(super) no_metadata: bool,
+    #[command(flatten)]
+    pub(super) page: PageArguments,
     /// Name (or a part of it) of the graphics adapter to draw with
     #[arg(long, value_name = "NAME", help_heading = "Picture")]
     pub(super) adapter: Option<String>,

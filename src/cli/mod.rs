@@ -9,6 +9,8 @@ mod lists;
 mod manual;
 mod output;
 #[cfg(feature = "headless")]
+mod page;
+#[cfg(feature = "headless")]
 mod picture;
 #[cfg(any(feature = "headless", feature = "window"))]
 mod quiet_driver;

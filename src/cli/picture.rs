@@ -18,6 +18,7 @@ use super::failure::{Failure, say};
 use super::figure::FigureArguments;
 use super::lists::{ListArguments, print, table};
 use super::output::check_place;
+use super::page::{Beginning, is_page, page};
 use super::quiet_driver::keep_quiet;
 use super::sheet::sheet;
 use super::signal;
@@ -34,8 +35,8 @@ impl From<HeadlessError> for Failure {
 pub(super) struct ShotArguments {
     #[command(flatten)]
     pub(super) picture: PictureArguments,
-    /// File to write, or - for standard output
-    #[arg(short, long, value_name = "FILE.png|.svg|.pdf|-")]
+    /// File to write, a picture or a page that stands at the time, or - for standard output
+    #[arg(short, long, value_name = "FILE.png|.svg|.pdf|.html|-")]
     pub(super) output: PathBuf,
     #[command(flatten)]
     pub(super) figure: FigureArguments,
@@ -69,6 +70,15 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     keep_quiet();
     signal::end_at_once()?;
     let picture = &arguments.picture;
+    if is_page(&arguments.output) {
+        #[cfg(feature = "window")]
+        let has_panel = arguments.panel;
+        #[cfg(not(feature = "window"))]
+        let has_panel = false;
+        let beginning = Beginning { plays: false, has_panel };
+        arguments.figure.check(None, &arguments.output)?;
+        return page(picture, &arguments.output, beginning, &[("--times", arguments.times.is_some())]);
+    }
     let (scene, words) = picture_scene(picture)?;
     let time = picture.time(&scene);
     check_place(&arguments.output)?;
@@ -125,7 +135,7 @@ fn format(output: &Path) -> Result<Option<FigureFormat>, Failure> {
         Some("pdf") => Ok(Some(FigureFormat::Pdf)),
         _ if files::takes_streams(output) => Ok(None),
         _ => Err(Failure::request(format!(
-            "{} names no format that shot writes: give a name ending in .png, .svg or .pdf, or - for standard output",
+            "{} names no format that shot writes: give a name ending in .png, .svg, .pdf or .html, or - for standard output",
             output.display()
         ))),
     }

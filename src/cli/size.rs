@@ -39,6 +39,17 @@ impl SizeArguments {
         (self.size.unwrap_or(USUAL), self.width, self.height, self.dpi)
     }
 
+    /// Those of the flags that are given.
+    pub(super) fn flags(&self) -> impl Iterator<Item = &'static str> {
+        let given = [
+            ("--size", self.size.is_some()),
+            ("--width", self.width.is_some()),
+            ("--height", self.height.is_some()),
+            ("--dpi", self.dpi.is_some()),
+        ];
+        given.into_iter().filter_map(|(flag, is_given)| is_given.then_some(flag))
+    }
+
     /// The words of a command line that say the same.
     pub(super) fn words(&self) -> Vec<String> {
         let mut words = vec![];

@@ -4,11 +4,12 @@
 //! followed and stay links; a file that is there keeps its mode and its owner; where renaming would not do (a device, a
 //! pipe, a descriptor, a file with a second name or in a folder that takes none) it is written in its place.
 //! [`write_new`] writes under a free name and over nothing. [`read_scene`] reads the scene of a file, also
-//! of a picture that carries one, [`read_scenes`] those of a file or a folder.
+//! of a picture that carries one, [`read_scenes`] those of a file or a folder; [`page()`] makes one file of a page's.
 
 mod error;
 mod new;
 mod output;
+mod page;
 mod place;
 mod read;
 mod staged;
@@ -21,6 +22,7 @@ use std::path::Path;
 pub use error::FileError;
 pub use new::write_new;
 pub use output::{Output, Sink};
+pub use page::{is_page, page};
 pub use place::{check, takes_streams};
 pub use read::{LARGEST_PICTURE, LARGEST_SCENE, NamedScene, read_scene, read_scenes, read_standard_input, read_text};
 pub use standard::keep_closed;

@@ -3,7 +3,7 @@
 
 use super::gpu::Gpu;
 use super::pipeline::Recipe;
-use super::targets::FORMAT;
+use super::targets::extent;
 
 /// The picture's texture and what copies it.
 #[derive(Debug)]
@@ -16,6 +16,7 @@ pub(super) struct Compose {
 #[derive(Debug)]
 struct Picture {
     size: (u32, u32),
+    texture: wgpu::Texture,
     target: wgpu::TextureView,
     source: wgpu::BindGroup,
 }
@@ -40,12 +41,12 @@ impl Compose {
         let module = device.create_shader_module(wgpu::include_wgsl!("../../shaders/blit.wgsl"));
         let pipeline = Recipe {
             groups: &[&layout],
-            format: window_format,
+            format: Some(window_format),
             blend: None,
             constants: &[("decode", f64::from(u8::from(window_format.is_srgb())))],
             ..Recipe::new("picture in window", &module)
         }
-        .pipeline(device);
+        .pipeline(gpu);
         Self { pipeline, layout, picture: None }
     }
 
@@ -60,8 +61,10 @@ impl Compose {
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: FORMAT,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+            format: gpu.format(),
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+                | wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_SRC,
             view_formats: &[],
         });
         let target = texture.create_view(&wgpu::TextureViewDescriptor::default());
@@ -70,13 +73,38 @@ impl Compose {
             layout: &self.layout,
             entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&target) }],
         });
-        self.picture = Some(Picture { size, target, source });
+        self.picture = Some(Picture { size, texture, target, source });
         true
     }
 
     /// What the picture is drawn to, and its size.
     pub(super) fn target(&self) -> Option<(&wgpu::TextureView, (u32, u32))> {
         self.picture.as_ref().map(|picture| (&picture.target, picture.size))
+    }
+
+    /// Copies the part of the picture (pixels of the window: corner and size) that lies in it to a window of the picture's format;
+    /// false where there is no picture at this corner and of at least that size.
+    pub(super) fn copy(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        window: &wgpu::Texture,
+        corner: [u32; 2],
+        (low, size): ([u32; 2], [u32; 2]),
+    ) -> bool {
+        let Some(picture) = &self.picture else { return false };
+        let [x, y] = [low[0].wrapping_sub(corner[0]), low[1].wrapping_sub(corner[1])];
+        let fits = |at: u32, size: u32, whole: u32| at.checked_add(size).is_some_and(|end| end <= whole);
+        if !fits(x, size[0], picture.size.0) || !fits(y, size[1], picture.size.1) {
+            return false;
+        }
+        let at = |texture, [x, y]: [u32; 2]| wgpu::TexelCopyTextureInfo {
+            texture,
+            mip_level: 0,
+            origin: wgpu::Origin3d { x, y, z: 0 },
+            aspect: wgpu::TextureAspect::All,
+        };
+        encoder.copy_texture_to_texture(at(&picture.texture, [x, y]), at(window, low), extent(size));
+        true
     }
 
     /// Copies the picture to its place, `corner` in pixels of the window.

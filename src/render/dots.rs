@@ -47,7 +47,7 @@ impl Dots {
             }
             self.panes.push(start..corners.len() as u32);
         }
-        self.corners.write(maker.device, queue, bytemuck::cast_slice(&corners));
+        self.corners.write(&maker.gpu.device, queue, bytemuck::cast_slice(&corners));
         self.pipeline.want(count > 0, || pipeline(maker));
     }
 
@@ -76,7 +76,7 @@ fn pipeline(maker: &PipelineMaker<'_>) -> wgpu::RenderPipeline {
         depth: Some((wgpu::CompareFunction::GreaterEqual, false)),
         ..Recipe::new("dots", &module)
     };
-    recipe.pipeline(maker.device)
+    recipe.pipeline(maker.gpu)
 }
 
 /// A colour in bytes.

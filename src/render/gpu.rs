@@ -3,6 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::attempts::{Attempts, backend_name};
+use super::targets::FORMAT;
 
 /// What to install where no driver is found.
 const INSTALL: &str = "install a driver, on Debian or Ubuntu: apt-get install libvulkan1 mesa-vulkan-drivers";
@@ -65,6 +66,8 @@ pub struct Gpu {
     pub device: wgpu::Device,
     /// Takes the work.
     pub queue: wgpu::Queue,
+    /// What pictures are drawn in.
+    format: wgpu::TextureFormat,
     remark: Option<String>,
     error: Arc<Mutex<Option<String>>>,
 }
@@ -192,13 +195,30 @@ impl Gpu {
             let told = format!("the device was lost{separator}{reason}");
             *slot.lock().unwrap_or_else(PoisonError::into_inner) = Some(told);
         });
-        Ok(Self { adapter, device, queue, remark: None, error })
+        Ok(Self { adapter, device, queue, format: FORMAT, remark: None, error })
     }
 
     /// What the adapter is.
     #[must_use]
     pub fn description(&self) -> AdapterDescription {
         AdapterDescription::new(&self.adapter.get_info())
+    }
+
+    /// The format that pictures are drawn in.
+    #[must_use]
+    pub fn format(&self) -> wgpu::TextureFormat {
+        self.format
+    }
+
+    /// From now on pictures are drawn as a window is, so that they can be copied there as they are: in red, green, blue and
+    /// opacity of a byte each in either order. What was made to draw with before draws no longer.
+    pub fn draw_as(&mut self, format: wgpu::TextureFormat) {
+        self.format = format;
+    }
+
+    /// Whether blue comes first in a pixel.
+    pub(super) fn is_blue_first(&self) -> bool {
+        self.format == wgpu::TextureFormat::Bgra8Unorm
     }
 
     /// What is worth saying once of how it was chosen: that the processor draws though nobody asked for it, or that others

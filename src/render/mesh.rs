@@ -91,8 +91,8 @@ impl Meshes {
             ranges.bounds = bounds(solids, uniform);
             self.panes.push(ranges);
         }
-        self.vertices.write(maker.device, queue, bytemuck::cast_slice(&vertices));
-        self.indices.write(maker.device, queue, bytemuck::cast_slice(&indices));
+        self.vertices.write(&maker.gpu.device, queue, bytemuck::cast_slice(&vertices));
+        self.indices.write(&maker.gpu.device, queue, bytemuck::cast_slice(&indices));
         if !indices.is_empty() {
             self.make(maker, wants_depths);
         }
@@ -113,7 +113,7 @@ impl Meshes {
         };
         let writing = Some((wgpu::CompareFunction::GreaterEqual, true));
         let solid =
-            |label, cull, depth| Recipe { label, cull, depth, samples: SAMPLES, ..base.clone() }.pipeline(maker.device);
+            |label, cull, depth| Recipe { label, cull, depth, samples: SAMPLES, ..base.clone() }.pipeline(maker.gpu);
         let any = |holds: fn(&Ranges) -> bool| self.panes.iter().any(holds);
         let is_opaque = any(|ranges| !ranges.opaque.is_empty());
         let is_translucent = any(|ranges| !ranges.translucent.is_empty());
@@ -122,10 +122,10 @@ impl Meshes {
         let (front, back) = (Some(wgpu::Face::Front), Some(wgpu::Face::Back));
         self.far_sides.want(is_translucent, || solid("far sides of translucent meshes", front, base.depth));
         self.near_sides.want(is_translucent, || solid("near sides of translucent meshes", back, base.depth));
-        self.flat.want(is_flat, || base.pipeline(maker.device));
+        self.flat.want(is_flat, || base.pipeline(maker.gpu));
         self.depths.want(is_opaque && wants_depths, || {
             Recipe { label: "depths of meshes", depth: writing, is_colourless: true, ..base.clone() }
-                .pipeline(maker.device)
+                .pipeline(maker.gpu)
         });
     }
 

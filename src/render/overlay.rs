@@ -8,6 +8,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3, Vec4};
 
 use super::buffer::{FrameBuffer, QuadBuffer, stride};
+use super::gpu::Gpu;
 use super::part::Part;
 use super::pipeline::Recipe;
 use crate::frame::Color;
@@ -140,7 +141,8 @@ pub(super) struct Overlays {
 }
 
 impl Overlays {
-    pub(super) fn new(device: &wgpu::Device) -> Self {
+    pub(super) fn new(gpu: &Gpu) -> Self {
+        let device = &gpu.device;
         let entry = |binding, visibility, ty| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
         let texture = wgpu::BindingType::Texture {
             sample_type: wgpu::TextureSampleType::Float { filterable: false },
@@ -176,7 +178,7 @@ impl Overlays {
             groups: &[&layout],
             ..Recipe::new("overlay", &module)
         }
-        .pipeline(device);
+        .pipeline(gpu);
         Self {
             pipeline,
             layout,

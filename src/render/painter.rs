@@ -5,7 +5,7 @@ use super::gpu::{Gpu, GpuError};
 use super::part::{Part, rows_of_band};
 use super::readback::{Canvas, Reading};
 use super::renderer::{Renderer, point_size};
-use crate::frame::Frame;
+use crate::frame::{Frame, PlacedName};
 
 /// What draws frames on one device, and the window's picture where there is a window.
 pub struct Painter {
@@ -77,6 +77,24 @@ impl Painter {
         if let Some((target, size)) = self.compose.as_ref().and_then(Compose::target) {
             self.renderer.render(gpu, frame, target, [size.0, size.1], point);
         }
+    }
+
+    /// The labels of what was drawn last, where they stand.
+    #[must_use]
+    pub fn names(&self) -> &[PlacedName] {
+        self.renderer.names()
+    }
+
+    /// Copies what of the window's picture lies in a part of the window (corner and size in pixels), where it has the window's format
+    /// ([`Gpu::draw_as`]) and its upper left corner at `corner`; false where none lies there.
+    pub fn copy_picture(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        window: &wgpu::Texture,
+        corner: [u32; 2],
+        part: ([u32; 2], [u32; 2]),
+    ) -> bool {
+        self.compose.as_ref().is_some_and(|compose| compose.copy(encoder, window, corner, part))
     }
 
     /// Copies the window's picture to its place, `corner` in pixels of the window.

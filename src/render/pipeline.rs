@@ -1,13 +1,14 @@
 //! The one place where pipelines are described.
 
-use super::targets::{DEPTH_FORMAT, FORMAT};
+use super::gpu::Gpu;
+use super::targets::DEPTH_FORMAT;
 
 /// What the shaders of surfaces begin with.
 const PANE_SOURCE: &str = include_str!("../../shaders/pane.wgsl");
 
 /// Makes shader modules and pipelines of one device.
 pub(super) struct PipelineMaker<'a> {
-    pub(super) device: &'a wgpu::Device,
+    pub(super) gpu: &'a Gpu,
     pub(super) pane_layout: &'a wgpu::BindGroupLayout,
 }
 
@@ -24,8 +25,8 @@ pub(super) struct Recipe<'a> {
     /// is no such buffer.
     pub(super) depth: Option<(wgpu::CompareFunction, bool)>,
     pub(super) samples: u32,
-    /// What is drawn to, blended into it unless the shader's values replace what is there.
-    pub(super) format: wgpu::TextureFormat,
+    /// What is drawn to, pictures where it is not said, blended into it unless the shader's values replace what is there.
+    pub(super) format: Option<wgpu::TextureFormat>,
     pub(super) blend: Option<wgpu::BlendState>,
     /// Only depths are left.
     pub(super) is_colourless: bool,
@@ -44,7 +45,7 @@ impl<'a> Recipe<'a> {
             cull: None,
             depth: None,
             samples: 1,
-            format: FORMAT,
+            format: None,
             blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
             is_colourless: false,
             constants: &[],
@@ -52,7 +53,9 @@ impl<'a> Recipe<'a> {
     }
 
     /// Makes it; its entries are `vertex` and `fragment`.
-    pub(super) fn pipeline(&self, device: &wgpu::Device) -> wgpu::RenderPipeline {
+    pub(super) fn pipeline(&self, gpu: &Gpu) -> wgpu::RenderPipeline {
+        let device = &gpu.device;
+        let format = self.format.unwrap_or(gpu.format());
         let groups: Vec<_> = self.groups.iter().copied().map(Some).collect();
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(self.label),
@@ -84,7 +87,7 @@ impl<'a> Recipe<'a> {
                 module: self.module,
                 entry_point: Some("fragment"),
                 compilation_options,
-                targets: &[Some(wgpu::ColorTargetState { format: self.format, blend: self.blend, write_mask })],
+                targets: &[Some(wgpu::ColorTargetState { format, blend: self.blend, write_mask })],
             }),
             multiview_mask: None,
             cache: None,
@@ -95,7 +98,7 @@ impl<'a> Recipe<'a> {
 impl PipelineMaker<'_> {
     /// A shader after what all shaders of surfaces begin with.
     pub(super) fn module(&self, label: &'static str, source: &str) -> wgpu::ShaderModule {
-        self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        self.gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(label),
             source: wgpu::ShaderSource::Wgsl([PANE_SOURCE, source].concat().into()),
         })

@@ -88,8 +88,8 @@ impl Quadrics {
             self.panes.push(draws);
         }
         if !pairs.is_empty() {
-            self.uniforms.write(maker.device, queue, &pairs);
-            self.corners.write(maker.device, queue, bytemuck::cast_slice(&corners));
+            self.uniforms.write(&maker.gpu.device, queue, &pairs);
+            self.corners.write(&maker.gpu.device, queue, bytemuck::cast_slice(&corners));
             self.make(maker);
         }
     }
@@ -109,7 +109,7 @@ impl Quadrics {
                 depth: Some((wgpu::CompareFunction::GreaterEqual, writes_depth)),
                 ..Recipe::new(label, module)
             }
-            .pipeline(maker.device)
+            .pipeline(maker.gpu)
         };
         self.hiding.want(true, || pipeline("quadrics", true));
         let is_hollow = self.panes.iter().flatten().any(|draw| draw.far_only);

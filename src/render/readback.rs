@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::gpu::{Gpu, GpuError};
 use super::part::{Part, rows_of_band};
-use super::targets::{FORMAT, extent};
+use super::targets::extent;
 
 /// A texture to draw into and to read back from: a picture at a time.
 pub struct Canvas {
@@ -90,7 +90,7 @@ impl Canvas {
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: FORMAT,
+            format: gpu.format(),
             usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
             view_formats: &[],
         });
@@ -172,7 +172,7 @@ impl Canvas {
     /// # Errors
     /// What the device has reported since the last call.
     pub fn try_read(&self, gpu: &Gpu, reading: &Reading) -> Result<Option<Pixels>, GpuError> {
-        if reading.has_arrived(gpu)? { self.copied_out().map(Some) } else { Ok(None) }
+        if reading.has_arrived(gpu)? { self.copied_out(gpu).map(Some) } else { Ok(None) }
     }
 
     /// Waits for the picture that [`Self::begin_read`] asked for, and for nothing drawn after it.
@@ -181,10 +181,11 @@ impl Canvas {
     /// What the device has reported since the last call.
     pub fn finish_read(&self, gpu: &Gpu, reading: &Reading) -> Result<Pixels, GpuError> {
         reading.wait(gpu)?;
-        self.copied_out()
+        self.copied_out(gpu)
     }
 
-    /// Waits for the picture that [`Self::begin_read`] asked for, and hands over so many of its rows as they lie in memory.
+    /// Waits for the picture that [`Self::begin_read`] asked for, and hands over so many of its rows as they lie in memory, in the device's
+    /// format.
     ///
     /// # Errors
     /// What the device has reported since the last call, or what `take` returns.
@@ -206,7 +207,7 @@ impl Canvas {
     }
 
     /// The picture, which has arrived.
-    fn copied_out(&self) -> Result<Pixels, GpuError> {
+    fn copied_out(&self, gpu: &Gpu) -> Result<Pixels, GpuError> {
         let [width, height] = self.size;
         let rows = self.staging.get_mapped_range(..).map_err(|cause| GpuError::Drawing(cause.to_string()))?;
         let mut rgba = Vec::with_capacity(4 * width as usize * height as usize);
@@ -215,6 +216,9 @@ impl Canvas {
         }
         drop(rows);
         self.staging.unmap();
+        if gpu.is_blue_first() {
+            rgba.chunks_exact_mut(4).for_each(|pixel| pixel.swap(0, 2));
+        }
         Ok(Pixels { size: self.size, rgba })
     }
 }

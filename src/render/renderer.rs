@@ -18,7 +18,7 @@ use super::solids::Solids;
 use super::targets::{DEPTH_FORMAT, color_attachment, depth_attachment, target as texture_target};
 use super::text::Texts;
 use super::{line, marker};
-use crate::frame::Frame;
+use crate::frame::{Frame, PlacedName};
 
 /// Pixels a point in a picture of this size, so that it looks the same at each size of one aspect: 1 at 1280×720 and
 /// at 720×1280.
@@ -73,7 +73,7 @@ impl Renderer {
         let panes = UniformBuffer::new(&gpu.device, "pane", size_of::<PaneUniform>());
         Self {
             panes,
-            overlays: Overlays::new(&gpu.device),
+            overlays: Overlays::new(gpu),
             meshes: Meshes::new(),
             quadrics: Quadrics::new(&gpu.device),
             dots: Dots::new(),
@@ -84,11 +84,16 @@ impl Renderer {
         }
     }
 
-    /// Draws the frame into `target`, a view of a [`FORMAT`](super::FORMAT) texture of this size, with `point` pixels a point
+    /// Draws the frame into `target`, a view of a texture of this size and of the device's format, with `point` pixels a point
     /// (for a file [`point_size`]). Submits the work and does not wait for it.
     pub(super) fn render(&mut self, gpu: &Gpu, frame: &Frame, target: &wgpu::TextureView, size: [u32; 2], point: f32) {
         self.prepare(gpu, frame, size, point);
         self.draw(gpu, target, Part { low: [0; 2], size });
+    }
+
+    /// The labels of the frame that was prepared last.
+    pub(super) fn names(&self) -> &[PlacedName] {
+        self.texts.names()
     }
 
     /// Takes what a frame holds to the device, for a picture of this size.
@@ -100,7 +105,7 @@ impl Renderer {
         let uniforms: Vec<PaneUniform> =
             frame.panes.iter().zip(&extents).map(|(pane, extent)| PaneUniform::new(pane, *extent, point)).collect();
         self.panes.write(device, queue, &uniforms);
-        let maker = PipelineMaker { device, pane_layout: self.panes.layout() };
+        let maker = PipelineMaker { gpu, pane_layout: self.panes.layout() };
         self.meshes.upload(&maker, queue, frame, &uniforms, !self.solids.reads_samples);
         self.quadrics.upload(&maker, queue, frame, &uniforms);
         self.dots.upload(&maker, queue, frame.panes.iter());

@@ -9,7 +9,7 @@ use super::buffer::FrameBuffer;
 use super::gpu::Gpu;
 use super::part::Part;
 use super::pipeline::Recipe;
-use super::targets::{DEPTH_FORMAT, FORMAT, SAMPLES, color_attachment, depth_attachment, target};
+use super::targets::{DEPTH_FORMAT, SAMPLES, color_attachment, depth_attachment, target};
 
 /// Sides of the target are whole multiples of this (pixels), so that it serves the next frame too.
 const STEP: u32 = 64;
@@ -69,7 +69,7 @@ impl Solids {
             return;
         }
         let highest = self.rooms.iter().map(|room| room.part.size[1]).max().unwrap_or(0);
-        self.fit(&gpu.device, [left, highest]);
+        self.fit(gpu, [left, highest]);
         let ndc = |pixel: Vec2| ((pixel - whole.corner()) / whole.extent() * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
         let corners = self.rooms.iter().flat_map(|room| {
             let (low, high) = (room.part.corner(), room.part.corner() + room.part.extent());
@@ -82,7 +82,8 @@ impl Solids {
     }
 
     /// Provides a target of at least this size and not of many times it.
-    fn fit(&mut self, device: &wgpu::Device, [width, height]: [u32; 2]) {
+    fn fit(&mut self, gpu: &Gpu, [width, height]: [u32; 2]) {
+        let device = &gpu.device;
         let pixels = |[width, height]: [u32; 2]| u64::from(width) * u64::from(height);
         let size =
             [width, height].map(|side| side.next_multiple_of(STEP).min(device.limits().max_texture_dimension_2d));
@@ -93,10 +94,10 @@ impl Solids {
             return;
         }
         let is_read = self.reads_samples;
-        let (_, layout) = self.made.get_or_insert_with(|| make(device, is_read));
-        let color = target(device, "samples of solids", size, FORMAT, SAMPLES, is_read);
+        let (_, layout) = self.made.get_or_insert_with(|| make(gpu, is_read));
+        let color = target(device, "samples of solids", size, gpu.format(), SAMPLES, is_read);
         let depth = target(device, "depths of solids", size, DEPTH_FORMAT, SAMPLES, is_read);
-        let means = (!is_read).then(|| target(device, "means of solids", size, FORMAT, 1, true));
+        let means = (!is_read).then(|| target(device, "means of solids", size, gpu.format(), 1, true));
         let entry =
             |binding, view| wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) };
         let entries = match &means {
@@ -143,7 +144,8 @@ impl Solids {
     }
 }
 
-fn make(device: &wgpu::Device, reads_samples: bool) -> (wgpu::RenderPipeline, wgpu::BindGroupLayout) {
+fn make(gpu: &Gpu, reads_samples: bool) -> (wgpu::RenderPipeline, wgpu::BindGroupLayout) {
+    let device = &gpu.device;
     // The shader takes the mean of four.
     const { assert!(SAMPLES == 4) };
     let entry = |binding, sample_type| wgpu::BindGroupLayoutEntry {
@@ -181,6 +183,6 @@ fn make(device: &wgpu::Device, reads_samples: bool) -> (wgpu::RenderPipeline, wg
         depth: Some((wgpu::CompareFunction::Always, reads_samples)),
         ..Recipe::new("solids", &module)
     };
-    let pipeline = pipeline.pipeline(device);
+    let pipeline = pipeline.pipeline(gpu);
     (pipeline, layout)
 }

@@ -1,5 +1,5 @@
 //! The scene that a picture carries: what a picture's file says of itself, among it the link of the scene that drew it, and how
-//! that is found again in a PNG, an SVG or a PDF, whatever else is in it.
+//! that is found again in a PNG, an SVG, a PDF or a page, whatever else is in it.
 
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 
@@ -9,6 +9,8 @@ use crate::physics::number;
 
 /// The keyword of the scene's link.
 const KEYWORD: &str = "Scene";
+/// Where a page says it, up to the link's own first letter.
+const ATTRIBUTE: &str = "data-scene=\"#";
 /// What every PNG begins with.
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 /// How far into a file its first words are looked for.
@@ -18,9 +20,10 @@ const HEAD: usize = 1024;
 type Kind = (&'static str, fn(&[u8]) -> bool);
 
 /// The kinds of picture that can carry a scene.
-const KINDS: [Kind; 3] = [
+const KINDS: [Kind; 4] = [
     ("a PNG picture", |head| head.starts_with(PNG)),
     ("a PDF", |head| head.starts_with(b"%PDF-")),
+    ("a page", |head| is_markup(head) && find(head, b"<html").is_some()),
     ("an SVG picture", |head| is_markup(head) && find(head, b"<svg").is_some()),
 ];
 
@@ -52,18 +55,24 @@ pub fn remarks(
         Saying::Plain => "dzhanibekov".to_owned(),
         Saying::Full => concat!("dzhanibekov ", env!("CARGO_PKG_VERSION")).to_owned(),
     };
-    // What a window would keep from the scene before it is said, so that the picture opens as it looks.
-    let mut file = file.clone();
-    file.view.theme.get_or_insert_default();
-    file.view.labels.get_or_insert(true);
     vec![
         ("Software", program),
         ("Title", title),
         ("Description", format!("t = {} s", number(time))),
         ("Comment", command),
-        // Whole, and not as what differs from a built-in scene, which another version may have otherwise.
-        (KEYWORD, link::write_at(None, &file, step, Some(time))),
+        (KEYWORD, link_of(file, step, time)),
     ]
+}
+
+/// The link of a scene as it looks at a step, counted from 0, and a time (s): whole, and not as what differs from a built-in
+/// scene, which another version may have otherwise.
+#[must_use]
+pub fn link_of(file: &SceneFile, step: Option<usize>, time: f64) -> String {
+    // What a window would keep from the scene before it is said, so that it opens as it looks.
+    let mut file = file.clone();
+    file.view.theme.get_or_insert_default();
+    file.view.labels.get_or_insert(true);
+    link::write_at(None, &file, step, Some(time))
 }
 
 /// Whether a file that begins so is a picture, and of which kind: one that is no scene's text.
@@ -121,13 +130,16 @@ fn text_of_chunk(kind: &[u8], data: &[u8]) -> Option<String> {
     String::from_utf8(text).ok()
 }
 
-/// The text of the first element of that name, of whatever namespace, in what is not packed of an SVG or a PDF.
+/// The text of the first element of that name, of whatever namespace, in what is not packed of an SVG or a PDF; of a page that of
+/// its attribute.
 fn in_markup(bytes: &[u8]) -> Option<String> {
-    let opening = format!(":{KEYWORD}>#");
+    let element = format!(":{KEYWORD}>#");
+    let openings = [(&*element, b'<'), (ATTRIBUTE, b'"')];
+    let (opening, closing) = openings.into_iter().find(|(opening, _)| find(bytes, opening.as_bytes()).is_some())?;
     // From the # on.
     let text = &bytes[find(bytes, opening.as_bytes())? + opening.len() - 1..];
     let text = &text[..text.len().min(LONGEST + 1)];
-    let end = text.iter().position(|byte| *byte == b'<')?;
+    let end = text.iter().position(|byte| *byte == closing)?;
     Some(str::from_utf8(&text[..end]).ok()?.replace("&amp;", "&"))
 }
 
@@ -184,6 +196,7 @@ mod tests {
             png(&[pixels.clone(), text("zTXt", b"\0", &packed)]),
             png(&[chunk("tEXt", b"Scenery\0no"), text("iTXt", b"\x01\0en\0Szene\0", &packed)]),
             format!("<?xml version=\"1.0\"?>\n<svg><metadata>{element}</metadata></svg>").into_bytes(),
+            format!("<!doctype html>\n<html data-scene=\"{escaped}\">\n<p>").into_bytes(),
             [b"%PDF-1.7\n\xff\xfe\0", element.as_bytes(), b"\n%%EOF"].concat(),
         ] {
             let read = read(&bytes)?;
@@ -203,6 +216,7 @@ mod tests {
         }
         assert!(refused(&png(&[])).starts_with("is a PNG picture that "));
         assert!(refused(b"<svg></svg>").starts_with("is an SVG picture that "));
+        assert!(refused(b"<html></html>").starts_with("is a page that "));
         assert!(refused(b"%PDF-1.7").starts_with("is a PDF that "));
         // A length past the end, a text that would fill the memory, one that is no UTF-8.
         let bomb = compress_to_vec_zlib(&vec![b'#'; 1 << 24], 9);
@@ -224,7 +238,7 @@ mod tests {
 
     #[test]
     fn texts_of_scenes_are_no_pictures() -> Result<(), SceneError> {
-        for text in ["", "title = \"<svg\"", "[spin]\n", "<html></html>", "\u{89}PNG"] {
+        for text in ["", "title = \"<svg\"", "[spin]\n", "<xml></xml>", "\u{89}PNG"] {
             assert_eq!(kind_of_picture(text.as_bytes()), None, "{text}");
         }
         // The version is named where it is asked for, and nowhere else.

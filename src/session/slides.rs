@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::scene::{Preset, SceneFile, presets};
 
 /// Endings of pictures that carry a scene.
-const PICTURES: [&str; 4] = ["png", "apng", "svg", "pdf"];
+const PICTURES: [&str; 5] = ["png", "apng", "svg", "pdf", "html"];
 
 /// A scene that can be gone to.
 #[derive(Clone, Debug, PartialEq)]

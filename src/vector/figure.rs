@@ -7,7 +7,7 @@ use super::facets::{self, Facet};
 use super::lines::{self, Part, Projection};
 use super::shells::{self, Wall};
 use super::sight::Sight;
-use super::{FigureOptions, Letters, Shading, fonts, marks, sheets};
+use super::{FigureOptions, Letters, Shading, dots, fonts, marks, sheets};
 use crate::camera::{Camera, NEAR};
 use crate::frame::{Color, Frame, Pane, Walls};
 use crate::render::{self, Pixels, PlacedText, ScreenLayer};
@@ -73,6 +73,7 @@ pub(super) fn draw(frame: &Frame, surfaces: &Surfaces, options: &FigureOptions) 
     }
     for (view, overlay) in views.iter().zip(&overlays) {
         let mut drawn = if is_flat { view.surfaces() } else { vec![] };
+        dots::draw(view.pane, &view.sight, &view.projection, &mut drawn);
         if !is_hollow(view.pane) {
             drawn.extend(view.lines(Part::Hidden));
         }

@@ -3,6 +3,7 @@
 //!
 //! What is drawn and where is the picture's: the same frame, the same places of labels, the same order.
 
+mod dots;
 mod drawing;
 mod facets;
 mod figure;

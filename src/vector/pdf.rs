@@ -24,6 +24,9 @@ const SCREEN: f64 = 0.75;
 const PER_PIXEL: f64 = 100.0;
 /// Colours of a gradient that are written, evenly from end to end.
 const SAMPLES: u8 = 33;
+/// So much (pixels) of a picture's place is left out on all sides: poppler takes one that ends between two pixels for one that
+/// reaches into the next, and stretches it.
+const INSET: f32 = 0.02;
 /// Effort of packing, of 10.
 const EFFORT: u8 = 8;
 /// Names of the typefaces.
@@ -325,8 +328,8 @@ impl Writer {
         }
         image.finish();
         let number = self.name(Kind::Picture, object);
-        let [x, y] = picture.corner.map(|pixels| pixels as f32);
-        let [width, height] = picture.size.map(|pixels| pixels as f32);
+        let [x, y] = picture.corner.map(|pixels| pixels as f32 + INSET);
+        let [width, height] = picture.size.map(|pixels| pixels as f32 - 2.0 * INSET);
         // A picture is the unit square, up.
         self.content.save_state().transform([width, 0.0, 0.0, -height, x, y + height]);
         self.content.x_object(Name(format!("I{number}").as_bytes())).restore_state();

@@ -25,6 +25,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::arguments::PictureArguments;
 use super::failure::{Failure, say};
 use super::output::{check_place, io_failure};
+use super::page::{Beginning, is_page, page};
 use super::picture::{followed, notes, open, options, picture_scene};
 use super::quiet_driver::keep_quiet;
 use super::signal;
@@ -42,8 +43,8 @@ const SAMPLE_WIDTH: u32 = 640;
 pub(super) struct RecordArguments {
     #[command(flatten)]
     picture: PictureArguments,
-    /// frame-{:05}.png (numbered), FILE.gif, FILE.apng, through ffmpeg FILE.mp4, .webm, .mov or .mkv, or - for YUV4MPEG2 on standard
-    /// output
+    /// frame-{:05}.png (numbered), FILE.gif, FILE.apng, through ffmpeg FILE.mp4, .webm, .mov or .mkv, FILE.html (a page that plays
+    /// without end), or - for YUV4MPEG2 on standard output
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
     /// Frames a second, whole, decimal or a ratio such as 30000/1001
@@ -87,6 +88,10 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
         return Err(Failure::request(
             "--panel goes with shot alone: a recording shows the picture, and `dzhanibekov shot --panel --time T` the panel at a time",
         ));
+    }
+    if is_page(&arguments.output) {
+        let flags = [("--frames", arguments.frames.is_some()), ("--keep", arguments.keep)];
+        return page(picture, &arguments.output, Beginning { plays: true, has_panel: false }, &flags);
     }
     let (scene, words) = picture_scene(picture)?;
     let format = format_of(arguments)?;
@@ -231,7 +236,7 @@ fn format_of(arguments: &RecordArguments) -> Result<Format, Failure> {
         _ => {
             return Err(Failure::request(format!(
                 "{name} names no format: give frame-{{:05}}.png, a name ending in {}, or - for a stream",
-                list(&endings(&["gif", "apng"]), "or")
+                list(&endings(&["gif", "apng", "html"]), "or")
             )));
         }
     };
