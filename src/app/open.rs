@@ -313,6 +313,7 @@ impl OpenWindow {
         if is_new || *drawn != Some(session.revision()) {
             *drawn = Some(session.revision());
             self.screen.draw_picture(&session.frame(pixels.x / pixels.y), picture_point(pixels_per_point, size));
+            session.set_names(self.screen.names());
         }
         in_window(corner, size)
     }

@@ -10,7 +10,7 @@ use super::WindowError;
 use super::sheet::Sheet;
 use super::stale::Shown;
 use super::surface::{Acquired, Surface};
-use crate::frame::Frame;
+use crate::frame::{Frame, PlacedName};
 use crate::render::{Canvas, Gpu, Painter, Pixels};
 
 /// The device, the window's surface and what is drawn with.
@@ -120,6 +120,11 @@ impl Screen {
     pub(super) fn draw_picture(&mut self, frame: &Frame, point: f32) {
         self.is_picture_new = true;
         self.painter.draw_picture(&self.gpu, frame, point);
+    }
+
+    /// The labels of the picture, where they stand.
+    pub(super) fn names(&self) -> &[PlacedName] {
+        self.painter.names()
     }
 
     /// Draws a picture apart from the window.

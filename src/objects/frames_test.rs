@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
-use super::{Cameras, OBJECTS, build_frame, check};
+use super::{Cameras, OBJECTS, build_frame, check, word_of};
 use crate::frame::{Frame, Pane};
 use crate::scene::{Layout, Scene, SceneError, SceneFile, Theme, preset, presets};
 use crate::sim::Simulation;
@@ -45,6 +45,30 @@ fn everything_is_drawn_of_every_scene_and_stays_finite() -> Result<(), SceneErro
                 assert!(is_filled && !pane.quadrics.is_empty() && !pane.notes.is_empty(), "{}", preset.name);
                 assert!(places(pane).all(Vec3::is_finite), "{} has a place that is none", preset.name);
                 assert!(pane.quadrics.iter().all(|pair| pair.first.unit_from_world.is_finite()), "{}", preset.name);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Names of the picture that are no words of the field.
+const PLAIN: [&str; 4] = ["turns this way round, always", "top", "bottom", "after T"];
+
+#[test]
+fn every_name_in_the_picture_is_said_in_a_sentence() -> Result<(), SceneError> {
+    for preset in presets() {
+        let mut file = preset.read()?;
+        file.view.layout = Some(Layout::Both);
+        file.view.hide.clear();
+        // Without the moments the axes have their numbers alone.
+        for left_out in ["moments", "axis-names", "body-axes"] {
+            let shown = OBJECTS.iter().map(|object| object.name.to_owned()).filter(|name| name != left_out);
+            file.view.show = shown.collect();
+            file.view.hide = vec![left_out.to_owned()];
+            let frame = frame_of(&check(&file)?, 0.5, 16.0 / 9.0);
+            for label in frame.panes.iter().flat_map(|pane| &pane.labels) {
+                let is_said = word_of(&label.text).is_some() || PLAIN.contains(&label.text.as_str());
+                assert!(is_said, "{}: nothing says what “{}” is", preset.name, label.text);
             }
         }
     }

@@ -31,6 +31,7 @@ mod track;
 mod turn;
 mod vectors;
 mod way;
+mod words;
 
 use Space::{Momentum, World};
 use glam::Vec2;
@@ -47,6 +48,7 @@ pub use ghosts::method_color;
 pub use glide::Glide;
 pub use layout::{Cameras, Space, areas};
 pub use theme::Palette;
+pub use words::{WORDS, Word, word_of};
 
 /// A row of the table of drawn things.
 pub struct Object {

@@ -22,7 +22,7 @@ mod view;
 
 use web_time::{Duration, Instant};
 
-use crate::frame::Frame;
+use crate::frame::{Frame, PlacedName};
 use crate::objects::{self, Cameras, Glide};
 use crate::physics::Motion;
 use crate::scene::{Scene, SceneError, SceneFile, Theme, View, ViewFile};
@@ -75,6 +75,8 @@ pub struct Session {
     saved: Option<(String, SceneFile)>,
     undo: Undo,
     shown: Shown,
+    /// The labels of the picture, where the front end has drawn them.
+    names: Vec<PlacedName>,
     message: Option<(String, Instant)>,
     text_size: f32,
     picture_size: Pixels,
@@ -150,6 +152,7 @@ impl Session {
                 presenting: remembered.presenting,
                 ..Shown::remembered(remembered.panel, remembered.slide, remembered.charts)
             },
+            names: vec![],
             message: None,
             text_size: remembered.text_size,
             picture_size: Pixels::ONE,
@@ -184,6 +187,7 @@ impl Session {
             open: self.opened.place,
             real_time_factor,
             shown: &self.shown,
+            names: &self.names,
             can_undo: self.undo.can(),
             fullscreen,
             message: self.message.as_ref().map(|(text, _)| text.as_str()),
@@ -271,6 +275,11 @@ impl Session {
     #[must_use]
     pub fn text_size(&self) -> f32 {
         self.text_size
+    }
+
+    /// Takes where the labels of the picture stand: those who hover over one are told what its word means.
+    pub fn set_names(&mut self, names: &[PlacedName]) {
+        names.clone_into(&mut self.names);
     }
 
     /// Whether it is in presenter's mode.

@@ -3,7 +3,9 @@
 use egui::{Align2, Grid, Key, Label, RichText, ScrollArea, Ui, Window};
 
 use super::keys::BINDINGS;
+use super::widgets::explained;
 use super::{Command, Look};
+use crate::objects::WORDS;
 
 /// Width (points) that two columns take.
 const TWO_COLUMNS: f32 = 860.0;
@@ -48,6 +50,16 @@ fn sheet(ui: &mut Ui, look: &Look<'_>, columns: usize) {
                     ui.end_row();
                 }
             });
+        }
+    });
+    ui.separator();
+    // As wide as the keys, however long the sentences are.
+    let width = ui.min_rect().width();
+    ui.scope(|ui| {
+        ui.set_max_width(width);
+        ui.label(RichText::new("Words").strong());
+        for word in WORDS {
+            ui.label(explained(word));
         }
     });
     ui.separator();

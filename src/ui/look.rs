@@ -2,7 +2,7 @@
 
 use egui::Color32;
 
-use crate::frame::Color;
+use crate::frame::{Color, PlacedName};
 use crate::objects::{self, Palette};
 use crate::physics::{Method, Motion};
 use crate::scene::{Scene, SceneFile, TimeUnit};
@@ -33,6 +33,8 @@ pub struct Look<'a> {
     pub is_looping: bool,
     /// Where the tip of M is in the picture (pixels), where it can be taken hold of.
     pub tip: Option<Pixels>,
+    /// The labels of the picture, where they stand.
+    pub names: &'a [PlacedName],
     /// What a click on the sphere would start.
     pub preview: Option<&'a Preview>,
     /// What the open scene is called.

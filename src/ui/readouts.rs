@@ -2,7 +2,7 @@
 
 use egui::{Align, Grid, Layout, RichText, Sense, Stroke, Ui};
 
-use super::widgets::{note, section};
+use super::widgets::{named, note, section};
 use super::{Look, numbers, style};
 use crate::physics::{MotionClass, poinsot, so3};
 use crate::sim::Errors;
@@ -64,7 +64,7 @@ fn lost(ui: &mut Ui, look: &Look<'_>, energy: &str) {
 /// An invariant: its value, its course so far, and in words whether it stays.
 fn kept(ui: &mut Ui, look: &Look<'_>, (name, value): (&str, &str), drift: f64, of: fn(&Errors) -> f64) {
     ui.horizontal(|ui| {
-        ui.label(RichText::new(name));
+        named(ui, RichText::new(name));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(RichText::new(value).monospace()));
     });
     ui.horizontal(|ui| {
@@ -155,7 +155,7 @@ fn cell(ui: &mut Ui, text: RichText) {
 
 fn line(ui: &mut Ui, name: &str, value: &str) {
     ui.horizontal(|ui| {
-        ui.label(RichText::new(name).weak());
+        named(ui, RichText::new(name).weak());
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(RichText::new(value).monospace()));
     });
 }
