@@ -9,6 +9,7 @@ use winit::event_loop::{EventLoop, EventLoopBuilder};
 
 use super::Wake;
 use crate::render::GpuError;
+use crate::stage::StageError;
 
 /// Why there is no window.
 #[derive(Debug, thiserror::Error)]
@@ -57,6 +58,15 @@ pub enum WindowError {
     /// The adapter cannot draw into this window.
     #[error("the adapter {0} cannot draw into this window: choose another one with --adapter")]
     Surface(String),
+}
+
+impl From<StageError> for WindowError {
+    fn from(error: StageError) -> Self {
+        match error {
+            StageError::Gpu(error) => Self::Gpu(error),
+            StageError::Surface(adapter) => Self::Surface(adapter),
+        }
+    }
 }
 
 /// Connects to the display that there is. What is known to be missing is looked for before the window system would trip
