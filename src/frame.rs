@@ -361,6 +361,17 @@ impl Label {
     }
 }
 
+/// A label where it was drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedName {
+    /// Its text.
+    pub text: String,
+    /// The upper left corner of its rectangle (pixels of the picture, y down).
+    pub low: Vec2,
+    /// The lower right corner.
+    pub high: Vec2,
+}
+
 /// How the labels of one kind of thing are set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LabelStyle {

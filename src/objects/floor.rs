@@ -131,7 +131,7 @@ pub(super) fn herpolhode(context: &Context<'_>, pane: &mut Pane) {
     let radius = (outer * context.per_radian()) as f32;
     if radius > 0.02 && radius < PLANE_RADIUS {
         let anchor = Vec3::new(0.0, 0.0, -context.plane_height()) + nearside(pane) * radius;
-        name(pane, "herpolhode", anchor, Vec2::new(1.0, -0.3), color, labels::FLOOR);
+        name(pane, "path of ω (herpolhode)", anchor, Vec2::new(1.0, -0.3), color, labels::FLOOR);
     }
 }
 

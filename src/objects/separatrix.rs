@@ -29,6 +29,6 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
         pane.lines.push(Line::new(points, 2.2, color).dashed(Dash::Dashed(DASH)).through(0.3));
     }
     if let Some((_, anchor)) = labelled {
-        pane.labels.push(Label::new(anchor, Vec2::new(-1.0, -0.6), "separatrix", color, labels::BORDER));
+        pane.labels.push(Label::new(anchor, Vec2::new(-1.0, -0.6), "border (separatrix)", color, labels::BORDER));
     }
 }

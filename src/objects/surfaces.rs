@@ -19,7 +19,7 @@ pub(super) fn sphere(context: &Context<'_>, pane: &mut Pane) {
     pane.add_cutting(Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, Vec3::ONE, color));
     // Its name stands where it is farthest outside the ellipsoid.
     let semi_axes = single(semi_axes(context));
-    label(pane, "|M| = |L|", color, |direction| (-support(semi_axes, direction).dot(direction), direction));
+    label(pane, "same length |L|", color, |direction| (-support(semi_axes, direction).dot(direction), direction));
 }
 
 /// ½ Σ Mᵢ²/Iᵢ = K: semi-axes √(2K Iᵢ).
@@ -30,7 +30,7 @@ pub(super) fn ellipsoid(context: &Context<'_>, pane: &mut Pane) {
     let color = context.palette.ellipsoid;
     let semi_axes = single(semi_axes(context));
     pane.add_cutting(Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, semi_axes, color));
-    label(pane, "energy K", color, |direction| {
+    label(pane, "same energy K", color, |direction| {
         let point = support(semi_axes, direction);
         (point.dot(direction), point)
     });

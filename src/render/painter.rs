@@ -5,7 +5,7 @@ use super::gpu::{Gpu, GpuError};
 use super::part::{Part, rows_of_band};
 use super::readback::{Canvas, Reading};
 use super::renderer::{Renderer, point_size};
-use crate::frame::Frame;
+use crate::frame::{Frame, PlacedName};
 
 /// What draws frames on one device, and the window's picture where there is a window.
 pub struct Painter {
@@ -77,6 +77,12 @@ impl Painter {
         if let Some((target, size)) = self.compose.as_ref().and_then(Compose::target) {
             self.renderer.render(gpu, frame, target, [size.0, size.1], point);
         }
+    }
+
+    /// The labels of what was drawn last, where they stand.
+    #[must_use]
+    pub fn names(&self) -> &[PlacedName] {
+        self.renderer.names()
     }
 
     /// Copies what of the window's picture lies in a part of the window (corner and size in pixels), where it has the window's format

@@ -18,7 +18,7 @@ use super::solids::Solids;
 use super::targets::{DEPTH_FORMAT, color_attachment, depth_attachment, target as texture_target};
 use super::text::Texts;
 use super::{line, marker};
-use crate::frame::Frame;
+use crate::frame::{Frame, PlacedName};
 
 /// Pixels a point in a picture of this size, so that it looks the same at each size of one aspect: 1 at 1280×720 and
 /// at 720×1280.
@@ -89,6 +89,11 @@ impl Renderer {
     pub(super) fn render(&mut self, gpu: &Gpu, frame: &Frame, target: &wgpu::TextureView, size: [u32; 2], point: f32) {
         self.prepare(gpu, frame, size, point);
         self.draw(gpu, target, Part { low: [0; 2], size });
+    }
+
+    /// The labels of the frame that was prepared last.
+    pub(super) fn names(&self) -> &[PlacedName] {
+        self.texts.names()
     }
 
     /// Takes what a frame holds to the device, for a picture of this size.
@@ -177,6 +182,8 @@ impl Renderer {
                 self.panes.bind(&mut pass, 0, room.pane);
                 self.meshes.draw_solids(&mut pass, room.pane);
             }
+            // OpenGL takes the means of no more than what is cut out last.
+            self.solids.cut_nothing(&mut pass);
         }
         let is_hollow = |pane: usize| self.quadrics.are_hollow(pane);
         let any_hollow = (0..prepared.panes.len()).any(is_hollow);

@@ -8,7 +8,7 @@ use super::notes::{self, PlacedNote};
 use super::overlay::{Kind, Quad, QuadData};
 use super::pane::PaneUniform;
 use super::targets::extent;
-use crate::frame::{Color, Frame, Pane};
+use crate::frame::{Color, Frame, Pane, PlacedName};
 
 /// Radius of the halo (points).
 pub(super) const HALO: f32 = 2.4;
@@ -18,6 +18,7 @@ pub(super) const HALO_OPACITY: f32 = 0.8;
 pub(super) struct Texts {
     atlas: Option<Atlas>,
     glyphs: Glyphs,
+    names: Vec<PlacedName>,
 }
 
 /// The glyphs on the device.
@@ -28,12 +29,13 @@ struct Atlas {
 
 impl Texts {
     pub(super) fn new() -> Self {
-        Self { atlas: None, glyphs: Glyphs::new() }
+        Self { atlas: None, glyphs: Glyphs::new(), names: vec![] }
     }
 
     /// Lays out the notes of each pane: what a frame begins with.
     pub(super) fn lay_out_notes(&mut self, frame: &Frame, picture: Vec2, point: f32) -> Vec<Vec<PlacedNote>> {
         self.glyphs.begin_frame();
+        self.names.clear();
         let panes = frame.panes.iter();
         panes.map(|pane| notes::lay_out(&pane.notes, &mut self.glyphs, pane.area.extent * picture, point)).collect()
     }
@@ -48,7 +50,11 @@ impl Texts {
     ) {
         let glyphs = &mut self.glyphs;
         let labels = lay_out_labels(glyphs, pane, uniform, notes, point);
-        let texts = labels.iter().map(|(line, low, color)| (line, *low, *color));
+        self.names.extend(labels.iter().map(|label| {
+            let low = corner + label.low;
+            PlacedName { text: label.text.to_owned(), low, high: low + Vec2::from_array(label.line.extent) }
+        }));
+        let texts = labels.iter().map(|label| (&label.line, label.low, label.color));
         let texts: Vec<_> = texts.chain(notes.iter().map(|note| (&note.line, note.low, note.color))).collect();
         let halo = background.alpha(HALO_OPACITY);
         for &(line, low, own) in &texts {
@@ -58,6 +64,11 @@ impl Texts {
         for &(line, low, own) in &texts {
             corners.extend(line.glyphs.iter().flat_map(|glyph| quad(glyph, corner + low, own)));
         }
+    }
+
+    /// The labels of the frame that was laid out last, where they stand.
+    pub(super) fn names(&self) -> &[PlacedName] {
+        &self.names
     }
 
     /// Sends glyphs that are new to the device; true where the atlas is another one than before.
@@ -92,15 +103,24 @@ impl Texts {
     }
 }
 
-/// The labels of a pane that are seen, each with its upper left corner (pixels of the pane) and its colour there. The notes are
-/// kept free of them.
-pub(super) fn lay_out_labels(
+/// A label that is seen.
+pub(super) struct SeenLabel<'a> {
+    pub(super) text: &'a str,
+    pub(super) line: TextLine,
+    /// Its upper left corner (pixels of the pane).
+    pub(super) low: Vec2,
+    /// Its colour there.
+    pub(super) color: Color,
+}
+
+/// The labels of a pane that are seen. The notes are kept free of them.
+pub(super) fn lay_out_labels<'a>(
     glyphs: &mut Glyphs,
-    pane: &Pane,
+    pane: &'a Pane,
     uniform: &PaneUniform,
     notes: &[PlacedNote],
     point: f32,
-) -> Vec<(TextLine, Vec2, Color)> {
+) -> Vec<SeenLabel<'a>> {
     let lines: Vec<TextLine> =
         pane.labels.iter().map(|label| glyphs.lay_out(&label.text, label.style.size * point)).collect();
     let extents: Vec<Vec2> = lines.iter().map(|line| Vec2::from_array(line.extent)).collect();
@@ -108,8 +128,10 @@ pub(super) fn lay_out_labels(
     let taken: Vec<Box2> = notes.iter().map(|note| note.room).collect();
     let places = labels::place(pane, uniform, &extents, &taken, pixels, point);
     let placed = pane.labels.iter().zip(lines).zip(places);
-    let seen = placed
-        .filter_map(|((label, line), place)| place.map(|place| (line, place.low, label.color.fade(place.opacity))));
+    let seen = placed.filter_map(|((label, line), place)| {
+        let place = place?;
+        Some(SeenLabel { text: &label.text, line, low: place.low, color: label.color.fade(place.opacity) })
+    });
     seen.collect()
 }
 

@@ -52,7 +52,8 @@ pub fn screen_layers(frame: &Frame, size: [u32; 2]) -> Vec<ScreenLayer> {
         let uniform = PaneUniform::new(pane, pixels.max(Vec2::ONE), point);
         let notes = notes::lay_out(&pane.notes, &mut glyphs, pixels, point);
         let (lines, markers) = notes::swatches(&notes, point);
-        let labels = lay_out_labels(&mut glyphs, pane, &uniform, &notes, point).into_iter();
+        let labels = lay_out_labels(&mut glyphs, pane, &uniform, &notes, point);
+        let labels = labels.into_iter().map(|label| (label.line, label.low, label.color));
         let texts = labels.chain(notes.into_iter().map(|note| (note.line, note.low, note.color)));
         let placed = texts.map(|(line, corner, color)| PlacedText { letters: line.letters, corner, color });
         ScreenLayer { texts: placed.collect(), lines, markers }

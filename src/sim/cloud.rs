@@ -89,8 +89,9 @@ mod tests {
 
     #[test]
     fn the_starts_are_round_their_axes_with_the_momentum_of_the_scene() -> Result<(), SceneError> {
-        let simulation =
-            simulation("cloud = { count = 100, spread_deg = 4, axes = [1, 3] }\nspin = { omega = [1, 5, -0.3] }")?;
+        let simulation = simulation(
+            "cloud = { count = 100, spread_deg = 4, axes = [1, 3] }\nspin = { omega = [1, 5, -0.3], attitude = [0.5, 0.5, 0.5, -0.5] }",
+        )?;
         let body = simulation.body();
         let ell = so3::norm(simulation.start().body_momentum);
         let momenta: Vec<_> = simulation.cloud().momenta_at(0.0).collect();

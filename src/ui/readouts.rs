@@ -2,7 +2,7 @@
 
 use egui::{Align, Grid, Layout, RichText, Sense, Stroke, Ui};
 
-use super::widgets::{note, section};
+use super::widgets::{named, note, section};
 use super::{Look, numbers, style};
 use crate::physics::{MotionClass, poinsot, so3};
 use crate::sim::Errors;
@@ -56,14 +56,15 @@ pub(super) fn motion(ui: &mut Ui, look: &Look<'_>) {
 /// The energy of a body that loses it.
 fn lost(ui: &mut Ui, look: &Look<'_>, energy: &str) {
     line(ui, "energy K", energy);
-    let lost = numbers::significant(-100.0 * look.sim.energy_error(), 3);
+    // At the start that is 0, and not −0.
+    let lost = numbers::significant(0.0 - 100.0 * look.sim.energy_error(), 3);
     note(ui, format!("{lost} % lost inside the body since the start, and none of L"));
 }
 
 /// An invariant: its value, its course so far, and in words whether it stays.
 fn kept(ui: &mut Ui, look: &Look<'_>, (name, value): (&str, &str), drift: f64, of: fn(&Errors) -> f64) {
     ui.horizontal(|ui| {
-        ui.label(RichText::new(name));
+        named(ui, RichText::new(name));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(RichText::new(value).monospace()));
     });
     ui.horizontal(|ui| {
@@ -154,7 +155,7 @@ fn cell(ui: &mut Ui, text: RichText) {
 
 fn line(ui: &mut Ui, name: &str, value: &str) {
     ui.horizontal(|ui| {
-        ui.label(RichText::new(name).weak());
+        named(ui, RichText::new(name).weak());
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(RichText::new(value).monospace()));
     });
 }

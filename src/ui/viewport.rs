@@ -2,7 +2,10 @@
 
 use egui::{Color32, PointerButton, Pos2, Rect, Sense, Stroke, Ui, Vec2};
 
+use super::widgets::explained;
 use super::{Command, Look, command::Pixels, style};
+use crate::frame::PlacedName;
+use crate::objects::{Word, word_of};
 use crate::physics::poinsot;
 
 /// How long (s) the polhode under a pointer at rest is shown.
@@ -90,9 +93,19 @@ impl Viewport {
             self.pointer = pointer;
             commands.push(Command::Hover(pointer));
         }
+        let word = response.hover_pos().and_then(|pointer| word_under(look, within(pointer)));
         preview(ui, rect, scale, look);
+        if let Some(word) = word.filter(|_| !response.dragged()) {
+            response.on_hover_text_at_pointer(explained(word));
+        }
         rect
     }
+}
+
+/// What the name under a point of the picture means.
+fn word_under(look: &Look<'_>, at: Pixels) -> Option<&'static Word> {
+    let is_under = |name: &&PlacedName| at.cmpge(name.low).all() && at.cmple(name.high).all();
+    word_of(&look.names.iter().find(is_under)?.text)
 }
 
 /// The polhode that a click would start, dashed where it lies behind the sphere.

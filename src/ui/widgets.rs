@@ -2,10 +2,11 @@
 
 use std::cell::Cell;
 
-use egui::{Align, Button, DragValue, Layout, Response, RichText, Slider, Ui, vec2};
+use egui::{Align, Button, DragValue, Label, Layout, Response, RichText, Sense, Slider, Ui, vec2};
 
 use super::Command;
 use super::numbers::{read, significant, trimmed};
+use crate::objects::{Word, word_of};
 
 /// Width of the labels in front of sliders (points).
 const LABEL_WIDTH: f32 = 56.0;
@@ -122,6 +123,22 @@ pub(super) fn choice<T: Copy + PartialEq>(ui: &mut Ui, chosen: Option<T>, option
         }
     });
     clicked
+}
+
+/// A word and its sentence.
+pub(super) fn explained(word: &Word) -> String {
+    format!("{}: {}", word.name, word.about)
+}
+
+/// A name that says what its word means, under the pointer and to the keyboard.
+pub(super) fn named(ui: &mut Ui, name: RichText) -> Response {
+    let Some(word) = word_of(name.text()) else { return ui.label(name) };
+    let response = ui.add(Label::new(name).sense(Sense::focusable_noninteractive()));
+    let text = explained(word);
+    if response.has_focus() {
+        response.show_tooltip_text(&text);
+    }
+    response.on_hover_text(text)
 }
 
 /// The heading of a part of the panel, with air above it.
