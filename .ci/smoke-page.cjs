@@ -6,7 +6,7 @@ const fs = require("node:fs");
 const http = require("node:http");
 const path = require("node:path");
 
-const { PAGE, PROGRAM, SCRATCH, SHOT, SCENES } = process.env;
+const { PAGE, PROGRAM, SCRATCH, SHOT, SCENES, ONE } = process.env;
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".json": "application/json" };
 const ARGUMENTS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
   "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
@@ -281,6 +281,24 @@ const COUNT = () => {
   await settled(500);
   await page.screenshot({ path: `${SCRATCH}/lying.png` });
   await close(page);
+
+  // In one file, from the disk.
+  const alone = await browser.newContext({ viewport: { width: 800, height: 450 } });
+  page = await alone.newPage();
+  watch(page);
+  await page.addInitScript(COUNT);
+  const loads = [];
+  page.on("request", (request) => loads.push(request.url()));
+  await page.goto(`file://${ONE}`);
+  await page.waitForFunction(() => document.documentElement.dataset.state === "running", null, { timeout: 60000 }).catch(() => fail("the page in one file does not run"));
+  const first = await state(page);
+  check(first.title === "The T-handle" && first.time >= 1 && first.playing, `the page in one file begins with ${JSON.stringify(first)}`);
+  check(await until(async () => (await state(page)).time > first.time), "the page in one file stands still");
+  check(loads.every((address) => address.startsWith("data:") || address === `file://${ONE}`), `the page in one file loads ${loads.join(", ").slice(0, 300)}`);
+  await page.screenshot({ path: `${SCRATCH}/one.png` });
+  await page.goto(`file://${ONE}?embed=0&play=0`);
+  check(await until(async () => !(await state(page)).playing), "the page in one file hears no wish");
+  await alone.close();
 
   // How fast it is: told, and held only loosely, for machines differ.
   page = await open("#flip");

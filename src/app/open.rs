@@ -12,6 +12,7 @@ use winit::window::{Fullscreen, Window, WindowAttributes};
 use super::files;
 use super::mapping::Mapping;
 use super::{Wake, WindowError, WindowOptions};
+use crate::render::{GpuError, adapters};
 use crate::session::{Remembered, Session};
 use crate::stage::{self, Around, Presented, SMALLEST, Stage};
 use crate::ui::{Command, Panels};
@@ -231,8 +232,11 @@ fn open_stage(
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
     descriptor.display = Some(Box::new(event_loop.owned_display_handle()));
     let instance = wgpu::Instance::new(descriptor);
-    let surface =
-        instance.create_surface(Arc::clone(window)).map_err(|error| WindowError::Display(error.to_string()))?;
+    let surface = instance.create_surface(Arc::clone(window)).map_err(|error| {
+        // Without a driver there is nothing to make one by, and the window system is not to blame.
+        let has_none = pollster::block_on(adapters()).is_empty();
+        if has_none { GpuError::NoAdapter.into() } else { WindowError::Display(error.to_string()) }
+    })?;
     let proxy = proxy.clone();
     let on_lost = move || {
         // The loop may have ended: then there is nothing to recover.
