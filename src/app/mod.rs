@@ -257,6 +257,12 @@ impl App {
                     self.session.say(outcome.unwrap_or_else(|why| why));
                 }
             }
+            Effect::WriteHandout => {
+                if let Some(window) = &mut self.window {
+                    let outcome = window.write_handout(&self.session);
+                    self.session.say(outcome.unwrap_or_else(|why| why));
+                }
+            }
             Effect::CopyText(text) => {
                 if let Some(window) = &mut self.window {
                     window.copy(text);

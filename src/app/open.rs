@@ -14,6 +14,7 @@ use super::mapping::Mapping;
 use super::screen::{Presented, Screen};
 use super::stale::Shown;
 use super::{Wake, WindowError, WindowOptions};
+use crate::objects::PAGE;
 use crate::render::{png, point_size};
 use crate::session::{Remembered, Session};
 use crate::ui::{Command, Panels, Pixels, keys, style};
@@ -278,6 +279,19 @@ impl OpenWindow {
             png::encode(&pixels, transparent, &session.remarks([width, height])).map_err(|error| error.to_string())?;
         let path = files::write_new(session.title(), "png", &bytes)?;
         Ok(format!("Written to {}", path.display()))
+    }
+
+    /// Writes the scene's pages, each to a new file; says where.
+    pub(super) fn write_handout(&mut self, session: &Session) -> Result<String, String> {
+        let mut last = None;
+        let frames = session.pages()?;
+        for (number, frame) in frames.iter().enumerate() {
+            let pixels = self.screen.picture(frame, PAGE)?;
+            let bytes = png::encode(&pixels, false, &[]).map_err(|error| error.to_string())?;
+            last = Some(files::write_new(&format!("{} page {}", session.title(), number + 1), "png", &bytes)?);
+        }
+        let place = last.ok_or("There is no page to write.")?;
+        Ok(format!("{} pages, the last one: {}", frames.len(), place.display()))
     }
 
     /// Puts a text on the clipboard.

@@ -19,6 +19,8 @@ pub enum Effect {
         /// With no background.
         transparent: bool,
     },
+    /// Writes the pages that [`Session::pages`](super::Session::pages) gives.
+    WriteHandout,
     /// Puts a text on the clipboard.
     CopyText(String),
     /// Full screen or back.

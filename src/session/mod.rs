@@ -414,6 +414,7 @@ impl Session {
             Command::ToggleHelp => self.shown.help = !self.shown.help,
             Command::ToggleFullscreen => return vec![Effect::ToggleFullscreen],
             Command::Picture { transparent } => return vec![Effect::WritePicture { transparent }],
+            Command::Handout => return vec![Effect::WriteHandout],
             Command::CopyCommand => return self.copy_command(),
             Command::SaveScene => return self.save(),
             Command::SaveTo(place) => return self.save_to(place),

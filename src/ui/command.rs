@@ -158,6 +158,8 @@ pub enum Command {
         /// With no background.
         transparent: bool,
     },
+    /// Writes the scene's steps as pages.
+    Handout,
     /// The command that draws this picture, to the clipboard.
     CopyCommand,
     /// Keeps the scene: at once in a new file, or, where it came from a file, after asking whether that one is meant.

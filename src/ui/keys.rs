@@ -134,6 +134,7 @@ pub static BINDINGS: &[Binding] = &[
         Command::Picture { transparent: true },
         silent,
     ),
+    row("Ctrl+P", &[(Control, Key::P)], "write a handout: a page a step", Command::Handout, silent),
     row("Ctrl+C", &[(Control, Key::C)], "copy as command", Command::CopyCommand, silent),
     row("Ctrl+Z", &[(Control, Key::Z)], "take the last change back", Command::Undo, silent),
     row("Ctrl+Shift+Z", &[(ControlShift, Key::Z)], "make it again", Command::Redo, silent),
