@@ -84,7 +84,9 @@
 //! | `report` | speed against error, measured | `report` |
 //! | `session` | the state behind any front end: a scene's text and what follows from it | `ui` |
 //! | `ui` | the panels: they read, and return commands | `ui` |
+//! | `stage` | panels and picture on a screen: what window and page do alike | `stage` |
 //! | `app` | the window | `window` |
+//! | `web` | the page | `web` |
 //!
 //! Data flows one way, from a scene to the simulation to objects to a frame to the picture. Without default features
 //! the library is the first three rooms.
@@ -113,9 +115,13 @@ pub mod scene;
 #[cfg(feature = "ui")]
 pub mod session;
 pub mod sim;
+#[cfg(feature = "stage")]
+pub mod stage;
 #[cfg(feature = "picture")]
 pub mod typeface;
 #[cfg(feature = "ui")]
 pub mod ui;
 #[cfg(feature = "headless")]
 pub mod vector;
+#[cfg(feature = "web")]
+pub mod web;

@@ -280,7 +280,7 @@ fn exact_step_meets_the_references() {
     }
 }
 
-/// A claim to keep something holds over 10⁵ coarse steps, 10⁶ for the notes' two methods; a row that claims nothing is measurably
+/// A claim to keep something holds over 10⁵ coarse steps, 10⁶ for Lie–Euler and Buss; a row that claims nothing is measurably
 /// off, so that no row is too modest either.
 #[test]
 fn what_is_kept_is_kept() {

@@ -38,7 +38,7 @@ fn lie_euler_is_the_notes() {
     lie_group("lie-euler", |_, omega, _| omega);
 }
 
-/// The notes' `α = −I_world (ω × L)` lacks the inverse; this is Buss' own.
+/// `α = −I_world (ω × L)`, as it is printed at times, lacks the inverse; this is Buss' own.
 #[test]
 fn buss_is_the_notes_corrected() {
     lie_group("buss", |inertia, omega, momentum| {

@@ -4,15 +4,9 @@
 
 mod files;
 mod mapping;
-mod offscreen;
 mod open;
-mod pacing;
 mod remember;
-mod screen;
-mod sheet;
-mod stale;
 mod startup;
-mod surface;
 mod trial;
 mod watch;
 
@@ -26,15 +20,14 @@ use winit::window::WindowId;
 use web_time::Instant;
 
 pub use files::read_slides;
-pub use offscreen::with_panels;
 pub use startup::WindowError;
 
 use crate::objects;
 use crate::scene::Scene;
 use crate::session::{Effect, Remembered, Session, Slide};
+use crate::stage::Pacer;
 use crate::ui::{Command, Panels};
 use open::OpenWindow;
-use pacing::Pacer;
 use trial::{Frame, Trial};
 use watch::Watch;
 
@@ -72,9 +65,8 @@ pub fn run(scene: Scene, mut options: WindowOptions) -> Result<(), WindowError> 
         proxy: event_loop.create_proxy(),
         session: Session::new(scene, slides, &remembered, Instant::now()),
         jumps: 0,
-        drawn: None,
         panels: Panels::default(),
-        pacer: Pacer::new(),
+        pacer: Pacer::new(Instant::now()),
         window: None,
         repaint_at: None,
         error: None,
@@ -135,8 +127,6 @@ struct App {
     session: Session,
     /// What was last seen of the session's jumps in time.
     jumps: u64,
-    /// The revision that the picture shows.
-    drawn: Option<u64>,
     panels: Panels,
     pacer: Pacer,
     window: Option<OpenWindow>,
@@ -177,7 +167,6 @@ impl App {
                 return;
             }
         }
-        self.drawn = None;
         self.wake();
     }
 
@@ -204,7 +193,7 @@ impl App {
         }
         let simulation = now.elapsed();
         let factor = self.pacer.real_time_factor();
-        let drawn = window.draw(event_loop, &mut self.session, &mut self.panels, factor, &mut self.drawn);
+        let drawn = window.draw(event_loop, &mut self.session, &mut self.panels, factor);
         if drawn.is_shown {
             self.recoveries = 0;
         }
@@ -263,11 +252,13 @@ impl App {
                     self.session.say(outcome.unwrap_or_else(|why| why));
                 }
             }
-            Effect::CopyText(text) => {
+            Effect::CopyText(text) | Effect::CopyLink(text) => {
                 if let Some(window) = &mut self.window {
                     window.copy(text);
                 }
             }
+            // Only a page offers it: to a window files are given by dropping them.
+            Effect::ChooseFile => {}
             Effect::FocusPanel => self.panels.take_focus(),
             Effect::ToggleFullscreen => {
                 if let Some(window) = &self.window {

@@ -9,6 +9,7 @@ use winit::event_loop::{EventLoop, EventLoopBuilder};
 
 use super::Wake;
 use crate::render::GpuError;
+use crate::stage::StageError;
 
 /// Why there is no window.
 #[derive(Debug, thiserror::Error)]
@@ -25,10 +26,15 @@ pub enum WindowError {
          `dzhanibekov shot` and `dzhanibekov record` draw with no display"
     )]
     NoCompositor(String),
+    /// An X server is named that cannot be reached.
+    #[error(
+        "the X server at DISPLAY={0} cannot be reached ({1}); `dzhanibekov shot` and `dzhanibekov record` draw with no display"
+    )]
+    NoServer(String, String),
     /// X11 keyboards need a library that is loaded late.
     #[error(
-        "libxkbcommon-x11 is missing, which a window on X11 needs: \
-         install it, on Debian or Ubuntu with: apt-get install libxkbcommon-x11-0"
+        "libxkbcommon-x11 is missing, which a window on X11 needs: install it, on Debian or Ubuntu with what else a window needs: \
+         apt-get install libx11-6 libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0"
     )]
     NoKeyboardLibrary,
     /// The display refused.
@@ -54,6 +60,15 @@ pub enum WindowError {
     Surface(String),
 }
 
+impl From<StageError> for WindowError {
+    fn from(error: StageError) -> Self {
+        match error {
+            StageError::Gpu(error) => Self::Gpu(error),
+            StageError::Surface(adapter) => Self::Surface(adapter),
+        }
+    }
+}
+
 /// Connects to the display that there is. What is known to be missing is looked for before the window system would trip
 /// over it.
 #[cfg(all(unix, not(target_vendor = "apple")))]
@@ -68,6 +83,10 @@ pub(super) fn connect() -> Result<EventLoop<Wake>, WindowError> {
     if !is_set("DISPLAY") {
         let gone = |name: std::ffi::OsString| WindowError::NoCompositor(name.to_string_lossy().into_owned());
         return Err(compositor.map_or(WindowError::NoDisplay, gone));
+    }
+    // Asked by a library of our own: what is missing of X11's is another matter.
+    if let Err(error) = x11rb::connect(None) {
+        return Err(WindowError::NoServer(std::env::var("DISPLAY").unwrap_or_default(), error.to_string()));
     }
     // winit would panic where this library is missing.
     if xkbcommon_dl::x11::xkbcommon_x11_option().is_none() {

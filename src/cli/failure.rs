@@ -26,7 +26,6 @@ impl Failure {
     }
 
     /// A part that this build of the program was made without.
-    #[cfg(not(feature = "window"))]
     pub(super) fn not_built(what: &str, feature: &str) -> Self {
         Self::could_not(format!("this program was built without {what}: build it with `--features {feature}`"))
     }

@@ -28,7 +28,7 @@ mod size;
 mod times;
 mod trace;
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -162,14 +162,32 @@ enum Command {
 
 /// Runs the program and turns its outcome into the exit code: 0 done, 1 it could not, 2 the request was wrong.
 pub(crate) fn main() -> ExitCode {
-    let outcome = match Arguments::try_parse_from(scene_last(std::env::args_os())) {
-        Ok(arguments) => run(arguments),
-        Err(error) => failure::of_command_line(&error).map_or_else(|| print_help(&error), Err),
-    };
+    let outcome = left_out(std::env::args_os().nth(1).as_deref()).map_or_else(
+        || match Arguments::try_parse_from(scene_last(std::env::args_os())) {
+            Ok(arguments) => run(arguments),
+            Err(error) => failure::of_command_line(&error).map_or_else(|| print_help(&error), Err),
+        },
+        Err,
+    );
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }
+}
+
+/// Why there is no such command, where this program was built without the room that it runs.
+fn left_out(first: Option<&OsStr>) -> Option<Failure> {
+    /// A command, what it is for, the feature that brings it, and whether that is there.
+    const PARTS: [(&str, &str, &str, bool); 5] = [
+        ("shot", "pictures", "headless", cfg!(feature = "headless")),
+        ("record", "pictures", "headless", cfg!(feature = "headless")),
+        ("adapters", "pictures", "headless", cfg!(feature = "headless")),
+        ("objects", "pictures", "picture", cfg!(feature = "picture")),
+        ("report", "the report", "report", cfg!(feature = "report")),
+    ];
+    let first = first?;
+    let (_, what, feature, _) = PARTS.into_iter().find(|(name, _, _, is_there)| first == *name && !is_there)?;
+    Some(Failure::not_built(what, feature))
 }
 
 /// The words of a command line with a scene that follows `--` put at the end, so that flags may stand after it:

@@ -114,7 +114,7 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
         let flag = if arguments.presenter { "--presenter" } else { "--panel" };
         let words = [words, vec![flag.to_owned()]].concat();
         let notes = notes(picture, &scene, &words, time);
-        let pixels = dzhanibekov::app::with_panels(&gpu, scene, time, options.size.pixels, arguments.presenter)
+        let pixels = dzhanibekov::stage::with_panels(&gpu, scene, time, options.size.pixels, arguments.presenter)
             .map_err(|error| Failure::could_not(error.to_string()))?;
         let bytes = render::png::encode_marked(&pixels, false, &notes, options.size.pixels_per_metre())
             .map_err(HeadlessError::from)?;

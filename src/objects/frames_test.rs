@@ -110,6 +110,26 @@ fn the_bodies_stand_under_the_legend() -> Result<(), SceneError> {
     Ok(())
 }
 
+/// Lines below the caption make room for themselves: each moves the top of L down by some thirtieth of the picture's height.
+#[test]
+fn the_world_stands_under_what_is_written() -> Result<(), SceneError> {
+    for (name, rows, lines) in [("turn", "turn", 2.0), ("flat-spin", "", 1.0)] {
+        let highest = |file: &SceneFile| -> Result<f32, SceneError> {
+            let frame = frame_of(&check(file)?, 0.0, 16.0 / 9.0);
+            let pane = &frame.panes[0];
+            let places = pane.meshes.iter().filter(|mesh| mesh.opaque).flat_map(|mesh| &mesh.vertices);
+            Ok(places.map(|vertex| seen(pane, vertex.position, 8.0 / 9.0).y).fold(-1.0, f32::max))
+        };
+        let file = preset(name)?.read()?;
+        let mut without = file.clone();
+        without.view.show.retain(|object| object != rows);
+        without.motion.energy_loss = None;
+        let moved = 0.5 * (highest(&without)? - highest(&file)?);
+        assert!((0.03 * lines..0.1 * lines).contains(&moved), "{name}: {moved}");
+    }
+    Ok(())
+}
+
 #[test]
 fn on_the_momentum_sphere_the_arrow_of_the_momentum_ends() -> Result<(), SceneError> {
     let mut file = preset("momentum-sphere")?.read()?;

@@ -152,6 +152,15 @@ const MOMENTUM: Object = object(
     vectors::momentum,
     "The arrow of the angular momentum, which never moves",
 );
+/// It writes two lines over the world.
+const TURN: Object = object(
+    "turn",
+    "Turn in one period",
+    World,
+    false,
+    turn::turn,
+    "The angle by which the body has turned about L when M has come round once",
+);
 /// Paths of their own, that the flow runs along where they are shown.
 const RINGS: Object = object(
     "rings",
@@ -305,14 +314,7 @@ pub static OBJECTS: &[Object] = &[
         cloud::bodies,
         "A handful of bodies that started close together, seen through",
     ),
-    object(
-        "turn",
-        "Turn in one period",
-        World,
-        false,
-        turn::turn,
-        "The angle by which the body has turned about L when M has come round once",
-    ),
+    TURN,
     MOMENTUM,
     object(
         "omega",
@@ -465,10 +467,10 @@ fn camera_of(context: &Context<'_>, cameras: &Cameras, space: Space) -> Camera {
     if space == Space::Momentum {
         camera.distance *= surfaces::room(context);
     }
-    // Under the legend.
-    let legend = notes::legend_height(context, space);
-    camera.distance /= 1.0 - legend;
-    camera.pan(Vec2::new(0.0, 0.5 * legend));
+    // Under the words.
+    let words = notes::height(context, space);
+    camera.distance /= 1.0 - words;
+    camera.pan(Vec2::new(0.0, 0.5 * words));
     camera
 }
 

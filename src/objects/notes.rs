@@ -75,20 +75,28 @@ pub(super) fn momentum_space(context: &Context<'_>, pane: &mut Pane) {
     }
 }
 
-/// Height of the legend as a part of a pane's, about: what is drawn stands under it.
-pub(super) fn legend_height(context: &Context<'_>, space: Space) -> f32 {
-    let (notes, holds_it) = match space {
+/// Height of what is written below the caption as a part of a pane's, about: what is drawn stands under it.
+pub(super) fn height(context: &Context<'_>, space: Space) -> f32 {
+    let (notes, holds_legend) = match space {
         Space::World => (&super::WORLD_NOTES, true),
         Space::Momentum => (&super::MOMENTUM_NOTES, context.settings.layout == Layout::Body),
     };
-    let ghosts = context.simulation.ghosts().len();
-    if ghosts == 0 || !holds_it || !context.settings.labels || !context.shows(notes) {
+    if !context.settings.labels {
         return 0.0;
     }
-    let columns = if context.scene.view.layout == Layout::Both { COLUMNS } else { 2 * COLUMNS };
-    // Larger type leaves room for fewer columns.
-    let columns = ((columns as f32 / context.type_scale) as usize).clamp(1, columns);
-    let rows = (ghosts + 1).div_ceil(columns);
+    let mut rows = 0;
+    let ghosts = context.simulation.ghosts().len();
+    if ghosts > 0 && holds_legend && context.shows(notes) {
+        let columns = if context.scene.view.layout == Layout::Both { COLUMNS } else { 2 * COLUMNS };
+        // Larger type leaves room for fewer columns.
+        let columns = ((columns as f32 / context.type_scale) as usize).clamp(1, columns);
+        rows += (ghosts + 1).div_ceil(columns);
+    }
+    if space == Space::World {
+        // The sphere leaves room enough over it.
+        rows += usize::from(context.simulation.energy_loss() > 0.0 && context.shows(notes));
+        rows += if context.shows(&super::TURN) { 2 } else { 0 };
+    }
     (ROW_HEIGHT * context.type_scale.max(1.0) * rows as f32).min(MOST_OF_A_PANE * context.type_scale.clamp(1.0, 1.6))
 }
 

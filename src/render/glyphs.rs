@@ -31,7 +31,7 @@ struct Cell {
 }
 
 /// The typefaces, the usual one first; each of the others has what those before it lack.
-pub static TYPEFACES: [&[u8]; 2] = [crate::typeface::SANS, epaint_default_fonts::HACK_REGULAR];
+pub static TYPEFACES: [&[u8]; 2] = [crate::typeface::SANS, crate::typeface::MONO];
 
 /// A letter of a laid out text, in pixels from the text's top left corner.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -182,6 +182,8 @@ impl Renderer {
                 self.panes.bind(&mut pass, 0, room.pane);
                 self.meshes.draw_solids(&mut pass, room.pane);
             }
+            // OpenGL takes the means of no more than what is cut out last.
+            self.solids.cut_nothing(&mut pass);
         }
         let is_hollow = |pane: usize| self.quadrics.are_hollow(pane);
         let any_hollow = (0..prepared.panes.len()).any(is_hollow);

@@ -129,6 +129,13 @@ impl Solids {
         }))
     }
 
+    /// Lets a pass draw on all of the target again.
+    pub(super) fn cut_nothing(&self, pass: &mut wgpu::RenderPass<'_>) {
+        if let Some(targets) = &self.targets {
+            pass.set_scissor_rect(0, 0, targets.size[0], targets.size[1]);
+        }
+    }
+
     /// Lays them into the picture, with their depths where samples are read.
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         let (Some((pipeline, _)), Some(targets), Some(corners)) = (&self.made, &self.targets, self.corners.get())

@@ -1,6 +1,6 @@
 //! The augmented term of Buss' second-order method: does it help, and with which sign?
 //!
-//! Three mean velocities of a step, otherwise the same method: `Ω̄ = Ω + h/2 α + s h²/12 α×Ω` with s = 0, +1 (the notes and
+//! Three mean velocities of a step, otherwise the same method: `Ω̄ = Ω + h/2 α + s h²/12 α×Ω` with s = 0, +1 (as in
 //! Buss' paper) and −1, over many random bodies that start at random.
 
 use glam::{DMat3, DQuat};
@@ -19,7 +19,7 @@ const SEED: u64 = 0x5eed_0fb0_d1e5;
 
 /// The three signs.
 pub const VARIANTS: [(&str, f64); 3] =
-    [("no augmented term", 0.0), ("the notes' sign (+)", 1.0), ("opposite sign (−)", -1.0)];
+    [("no augmented term", 0.0), ("Buss' own sign (+)", 1.0), ("opposite sign (−)", -1.0)];
 
 /// The experiment's outcome.
 #[derive(Clone, Debug, Serialize)]
@@ -120,7 +120,7 @@ fn words(horizons: &[Horizon]) -> String {
         parts.join(", ")
     };
     format!(
-        "Against plain second order on the same body, the error is in the median over random bodies: with the notes' augmented term {}; \
+        "Against plain second order on the same body, the error is in the median over random bodies: with the augmented term as Buss has it {}; \
          with the opposite sign {}.",
         says(1),
         says(2)

@@ -2,13 +2,14 @@
 
 use glam::DVec3;
 
+use super::command_line::rounded_time;
 use super::slides::{Opened, Slide};
 use super::undo::{Kind, Moment};
 use super::{Effect, Session, command_line, keep_choices, start};
 use crate::objects::{self, Cameras};
 use crate::physics::{Motion, methods::LOSS_METHOD, so3};
 use crate::scene::carried::{self, Saying};
-use crate::scene::{SceneFile, SpinFile, ViewFile};
+use crate::scene::{SceneFile, SpinFile, ViewFile, link};
 use crate::sim::Simulation;
 use crate::ui::{Pixels, path_in};
 use web_time::Instant;
@@ -273,18 +274,68 @@ impl Session {
             Ok(file) => file,
             Err(error) => return self.say(format!("{name}: {error}")),
         };
+        self.open_unnamed(name, file);
+    }
+
+    /// A scene that came from nowhere with a name.
+    fn open_unnamed(&mut self, name: String, file: SceneFile) {
         let slide = Slide { name, file: Ok(file.clone()) };
         // No command line can name it: it is said by what differs from a scene that one can.
         let named = super::built_in().into_iter().find_map(|slide| Some((slide.name, slide.file.ok()?)));
         let Some((name, base)) = named else { return };
         if self.open(Opened { name, title: slide.title(), file, base: Some(base), place: None }) {
             let warning = self.scene.warnings().into_iter().next();
-            self.say(warning.unwrap_or(slide.name));
+            let words = warning.unwrap_or(slide.name);
+            if !words.is_empty() {
+                self.say(words);
+            }
         }
     }
 
-    /// The text of a scene, or a place where one is; anything else is not meant for this program.
+    /// Opens the scene of a link at its step and its time, running or not as before.
+    pub(super) fn open_link(&mut self, words: &str) {
+        let checked = link::read(words).and_then(|read| {
+            let at = read.step.or(read.file.first_step());
+            objects::check_at(&read.file, at).map(|_| (read, at))
+        });
+        let (read, at) = match checked {
+            Ok(checked) => checked,
+            Err(error) => return self.say(error.to_string()),
+        };
+        let is_paused = self.sim.clock.paused;
+        match read.name.as_ref().and_then(|name| self.slides.iter().position(|slide| slide.name == *name)) {
+            Some(place) => self.open_slide(place),
+            None => self.open_unnamed(String::new(), read.file.clone()),
+        }
+        if let Err(error) = self.set_at(&read.file, at) {
+            return self.say(error.to_string());
+        }
+        self.cameras = Cameras::new(&self.scene.view);
+        self.begin_pace();
+        if let Some(time) = read.time {
+            self.go_to(time);
+        }
+        self.sim.clock.paused = is_paused;
+    }
+
+    /// The link of the scene as it is seen now, from its `#` on.
+    #[must_use]
+    pub fn link(&self) -> String {
+        let name = (self.opened.base.is_none() && !self.slide_is_file()).then_some(self.opened.name.as_str());
+        link::write_at(name, &self.file_as_seen(), self.scene.at, Some(rounded_time(self.sim.time())))
+    }
+
+    pub(super) fn copy_link(&mut self) -> Vec<Effect> {
+        self.say("Copied the link of the scene as it is.");
+        vec![Effect::CopyLink(self.link())]
+    }
+
+    /// The text of a scene, a link, or a place where one is; anything else is not meant for this program.
     pub(super) fn paste(&mut self, text: &str) -> Vec<Effect> {
+        if link::is_link(text.trim()) {
+            self.open_link(text.trim());
+            return vec![];
+        }
         if let Some(place) = path_in(text) {
             return vec![Effect::Open(place)];
         }

@@ -23,6 +23,10 @@ pub enum Effect {
     WriteHandout,
     /// Puts a text on the clipboard.
     CopyText(String),
+    /// Puts a link on the clipboard, given from its `#` on: a page says its own address before it.
+    CopyLink(String),
+    /// Lets a file be chosen, and opens it.
+    ChooseFile,
     /// Full screen or back.
     ToggleFullscreen,
     /// Moves the keyboard's focus into the panel.

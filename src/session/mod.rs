@@ -27,8 +27,9 @@ use crate::objects::{self, Cameras, Glide};
 use crate::physics::Motion;
 use crate::scene::{Scene, SceneError, SceneFile, Theme, View, ViewFile};
 use crate::sim::{FlipWatch, History, Simulation, Slowing};
-use crate::ui::{Command, LARGER, Look, Pixels, Preview, Shown, Timeline};
+use crate::ui::{Command, Front, LARGER, Look, Pixels, Preview, Shown, Timeline};
 
+pub use crate::objects::PAGE;
 pub use command_line::slug;
 pub use effect::Effect;
 pub use remember::Remembered;
@@ -79,6 +80,9 @@ pub struct Session {
     names: Vec<PlacedName>,
     message: Option<(String, Instant)>,
     text_size: f32,
+    front: Front,
+    /// Dark or light, where a scene does not say.
+    preferred_theme: Option<Theme>,
     picture_size: Pixels,
     now: Instant,
     /// Scenes set so far.
@@ -155,6 +159,8 @@ impl Session {
             names: vec![],
             message: None,
             text_size: remembered.text_size,
+            front: Front::Window,
+            preferred_theme: None,
             picture_size: Pixels::ONE,
             now,
             scenes: 1,
@@ -190,6 +196,7 @@ impl Session {
             names: &self.names,
             can_undo: self.undo.can(),
             fullscreen,
+            front: self.front,
             message: self.message.as_ref().map(|(text, _)| text.as_str()),
         }
     }
@@ -269,6 +276,29 @@ impl Session {
     #[must_use]
     pub fn theme(&self) -> Theme {
         self.scene.view.theme
+    }
+
+    /// Takes dark or light where a scene does not say, as the system has it.
+    pub fn prefer_theme(&mut self, theme: Theme) {
+        self.preferred_theme = Some(theme);
+        if self.scene.file.view.theme.is_none() && self.scene.view.theme != theme {
+            self.scene.view.theme = theme;
+            self.scenes += 1;
+            self.revision += 1;
+        }
+    }
+
+    /// Takes the place of a part of another page.
+    pub fn embed(&mut self) {
+        self.shown.embedded = true;
+        self.shown.panel = false;
+        self.shown.slide = false;
+        self.say_nothing();
+    }
+
+    /// What the session is shown by: only what that can do is offered.
+    pub fn shown_by(&mut self, front: Front) {
+        self.front = front;
     }
 
     /// Factor on the size of the panels' text.
@@ -385,6 +415,8 @@ impl Session {
             Command::OpenScene(place) => self.open_slide(place),
             Command::OpenPlace(place) => return vec![Effect::Open(place)],
             Command::OpenText { name, text } => self.open_text(name, &text),
+            Command::OpenLink(link) => self.open_link(&link),
+            Command::ChooseFile => return vec![Effect::ChooseFile],
             Command::Paste(text) => return self.paste(&text),
             Command::Resize(size) => self.picture_size = size.max(Pixels::ONE),
             Command::Orbit { at, by } => self.move_camera(at, |camera, side| camera.orbit(by / side)),
@@ -416,6 +448,7 @@ impl Session {
             Command::Picture { transparent } => return vec![Effect::WritePicture { transparent }],
             Command::Handout => return vec![Effect::WriteHandout],
             Command::CopyCommand => return self.copy_command(),
+            Command::CopyLink => return self.copy_link(),
             Command::SaveScene => return self.save(),
             Command::SaveTo(place) => return self.save_to(place),
             Command::SaveNothing => self.shown.saving = None,
@@ -438,7 +471,10 @@ impl Session {
     /// Takes a text as the scene and derives everything from it; what is no scene is refused in a sentence, and nothing changes.
     /// A motion that stays the same goes on from where it is.
     fn set_at(&mut self, file: &SceneFile, at: Option<usize>) -> Result<(), SceneError> {
-        let scene = objects::check_at(file, at)?;
+        let mut scene = objects::check_at(file, at)?;
+        if let (None, Some(theme)) = (file.view.theme, self.preferred_theme) {
+            scene.view.theme = theme;
+        }
         let before = std::mem::replace(&mut self.scene, scene);
         self.scenes += 1;
         let (now, then) = (&self.scene.file, &before.file);

@@ -95,7 +95,11 @@ pub enum Command {
         /// The text (TOML).
         text: String,
     },
-    /// Takes what was pasted: the text of a scene, or a place where one is.
+    /// Opens the scene of a link, at its time.
+    OpenLink(String),
+    /// Lets a file be chosen, and opens it.
+    ChooseFile,
+    /// Takes what was pasted: the text of a scene, a link, or a place where one is.
     Paste(String),
     /// The picture is this large (pixels).
     Resize(Pixels),
@@ -162,6 +166,8 @@ pub enum Command {
     Handout,
     /// The command that draws this picture, to the clipboard.
     CopyCommand,
+    /// The link of the scene as it is, to the clipboard.
+    CopyLink,
     /// Keeps the scene: at once in a new file, or, where it came from a file, after asking whether that one is meant.
     SaveScene,
     /// Writes the scene to this place; a new file where there is none.

@@ -4,7 +4,7 @@ use egui::{Align2, Grid, Key, Label, RichText, ScrollArea, Ui, Window};
 
 use super::keys::BINDINGS;
 use super::widgets::explained;
-use super::{Command, Look};
+use super::{Command, Front, Look};
 use crate::objects::WORDS;
 
 /// Width (points) that two columns take.
@@ -35,14 +35,14 @@ pub(super) fn show(ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
 
 fn sheet(ui: &mut Ui, look: &Look<'_>, columns: usize) {
     ui.horizontal_top(|ui| {
-        let half = BINDINGS.len().div_ceil(columns);
-        for (column, rows) in BINDINGS.chunks(half).enumerate() {
+        let bound: Vec<_> = BINDINGS.iter().filter_map(|row| Some((row, row.keys(look.front)?))).collect();
+        for (column, rows) in bound.chunks(bound.len().div_ceil(columns)).enumerate() {
             if column > 0 {
                 ui.add_space(24.0);
             }
             Grid::new(("keys", column)).num_columns(3).spacing([14.0, 6.0]).show(ui, |ui| {
-                for binding in rows {
-                    ui.label(RichText::new(binding.keys).monospace().strong());
+                for (binding, keys) in rows {
+                    ui.label(RichText::new(*keys).monospace().strong());
                     ui.add(Label::new(binding.does).extend());
                     if let Some(state) = (binding.state)(look) {
                         ui.label(RichText::new(state).weak());
@@ -63,12 +63,25 @@ fn sheet(ui: &mut Ui, look: &Look<'_>, columns: usize) {
         }
     });
     ui.separator();
-    ui.label(
-        "Mouse: drag to orbit, right or Shift drag to pan, wheel to zoom; drag M or click its sphere for a new start.",
-    );
-    ui.label(
-        "A scene, a picture of one or a folder of scenes: drop it here, or copy it in a file manager and press Ctrl+V.",
-    );
-    ui.label("Keyboard alone: F6, then Tab and Shift+Tab (or arrows) from one to the next, arrows to slide,");
-    ui.label("digits to type a number, Space or Enter to press, Esc to leave; F6 again comes back to the same place.");
+    for line in words(look.front) {
+        ui.label(*line);
+    }
+}
+
+/// What there is besides keys.
+fn words(front: Front) -> &'static [&'static str] {
+    match front {
+        Front::Window => &[
+            "Mouse: drag to orbit, right or Shift drag to pan, wheel to zoom; drag M or click its sphere for a new start.",
+            "A scene, a picture of one or a folder of scenes: drop it here, or copy it in a file manager and press Ctrl+V.",
+            "Keyboard alone: F6, then Tab and Shift+Tab (or arrows) from one to the next, arrows to slide,",
+            "digits to type a number, Space or Enter to press, Esc to leave; F6 again comes back to the same place.",
+        ],
+        Front::Page => &[
+            "Mouse: drag to orbit, right or Shift drag to pan, wheel to zoom; drag M or click its sphere for a new start.",
+            "Fingers: one turns, two move and zoom; tap the sphere for a new start, hold a finger still to take M along.",
+            "A scene: drop its file here, or paste its text or a link; the address is always the link of what is shown.",
+            "Keyboard alone: Tab from one to the next, arrows to slide, Space or Enter to press.",
+        ],
+    }
 }

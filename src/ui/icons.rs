@@ -19,6 +19,12 @@ pub(super) enum Icon {
     Restart,
     /// Two triangles to the right and a bar.
     Next,
+    /// An angle that opens to the right: what comes before.
+    Before,
+    /// One that opens to the left: what comes after.
+    After,
+    /// Three bars: all the rest.
+    Menu,
 }
 
 /// A button with a sign; `name` says what it does, to readers of hints and of the screen alike. One that holds a state is
@@ -74,11 +80,22 @@ fn draw(painter: &Painter, icon: Icon, area: Rect, colour: Color32) {
             right(0.36, 0.86);
             bar(0.98, 0.14);
         }
+        Icon::Before => angle(painter, [at(0.72, 0.0), at(0.28, 0.5), at(0.72, 1.0)], colour),
+        Icon::After => angle(painter, [at(0.28, 0.0), at(0.72, 0.5), at(0.28, 1.0)], colour),
+        Icon::Menu => {
+            for y in [0.12, 0.5, 0.88] {
+                painter.line_segment([at(0.0, y), at(1.0, y)], Stroke::new(2.5, colour));
+            }
+        }
         Icon::Restart => {
             bar(0.06, 0.16);
             left(0.2, 1.0);
         }
     }
+}
+
+fn angle(painter: &Painter, corners: [Pos2; 3], colour: Color32) {
+    painter.line(corners.to_vec(), Stroke::new(3.0, colour));
 }
 
 fn triangle(painter: &Painter, corners: [Pos2; 3], colour: Color32) {

@@ -2,7 +2,7 @@
 
 use egui::{Event, Key, RawInput};
 
-use super::{Command, Look};
+use super::{Command, Front, Look};
 use crate::scene::{Layout, Theme};
 
 /// What a chord wants held besides its key.
@@ -26,8 +26,9 @@ pub struct Binding {
     chords: &'static [(Held, Key)],
     /// Whether a held key repeats.
     repeats: bool,
-    /// The keys as people write them.
-    pub keys: &'static str,
+    /// The keys as people write them, in a window and on a page; none where a browser keeps them to itself.
+    keys: &'static str,
+    on_page: Option<&'static str>,
     /// What they do.
     pub does: &'static str,
     command: Command,
@@ -42,7 +43,7 @@ const fn row(
     command: Command,
     state: fn(&Look<'_>) -> Option<&'static str>,
 ) -> Binding {
-    Binding { chords, repeats: false, keys, does, command, state }
+    Binding { chords, repeats: false, keys, on_page: Some(keys), does, command, state }
 }
 
 const fn repeating(
@@ -51,7 +52,24 @@ const fn repeating(
     does: &'static str,
     command: Command,
 ) -> Binding {
-    Binding { chords, repeats: true, keys, does, command, state: silent }
+    Binding { chords, repeats: true, keys, on_page: Some(keys), does, command, state: silent }
+}
+
+impl Binding {
+    /// The same, with other keys on a page, or with none.
+    const fn on_page(mut self, keys: Option<&'static str>) -> Self {
+        self.on_page = keys;
+        self
+    }
+
+    /// Its keys as people write them; none where they do nothing.
+    #[must_use]
+    pub fn keys(&self, front: Front) -> Option<&'static str> {
+        match front {
+            Front::Window => Some(self.keys),
+            Front::Page => self.on_page,
+        }
+    }
 }
 
 fn silent(_: &Look<'_>) -> Option<&'static str> {
@@ -123,25 +141,31 @@ pub static BINDINGS: &[Binding] = &[
     row("P", &[(Up, Key::P)], "presenter's mode: large words, no panel", Command::TogglePresenter, |look| {
         Some(on_off(look.shown.presenting))
     }),
-    row("Tab", &[(Up, Key::Tab)], "panel", Command::TogglePanel, |look| Some(on_off(look.shown.panel))),
-    row("F6", &[(Up, Key::F6)], "keyboard into the panel (Esc leaves)", Command::FocusPanel, silent),
-    row("F11", &[(Up, Key::F11)], "full screen", Command::ToggleFullscreen, |look| Some(on_off(look.fullscreen))),
-    row("F12", &[(Up, Key::F12)], "write the picture", Command::Picture { transparent: false }, silent),
+    row("Tab, M", &[(Up, Key::Tab), (Up, Key::M)], "panel", Command::TogglePanel, |look| {
+        Some(on_off(look.shown.panel))
+    })
+    .on_page(Some("M")),
+    row("F6", &[(Up, Key::F6)], "keyboard into the panel (Esc leaves)", Command::FocusPanel, silent).on_page(None),
+    row("F11", &[(Up, Key::F11)], "full screen", Command::ToggleFullscreen, |look| Some(on_off(look.fullscreen)))
+        .on_page(None),
+    row("F12", &[(Up, Key::F12)], "write the picture", Command::Picture { transparent: false }, silent).on_page(None),
     row(
         "Shift+F12",
         &[(Down, Key::F12)],
         "write the picture, transparent",
         Command::Picture { transparent: true },
         silent,
-    ),
-    row("Ctrl+P", &[(Control, Key::P)], "write a handout: a page a step", Command::Handout, silent),
+    )
+    .on_page(None),
+    row("Ctrl+P", &[(Control, Key::P)], "write a handout: a page a step", Command::Handout, silent).on_page(None),
     row("Ctrl+C", &[(Control, Key::C)], "copy as command", Command::CopyCommand, silent),
     row("Ctrl+Z", &[(Control, Key::Z)], "take the last change back", Command::Undo, silent),
     row("Ctrl+Shift+Z", &[(ControlShift, Key::Z)], "make it again", Command::Redo, silent),
     row("Ctrl+S", &[(Control, Key::S)], "save the scene", Command::SaveScene, silent),
-    row("Ctrl +", &[(Control, Key::Plus), (Control, Key::Equals)], "larger text", Command::TextSize(1.1), silent),
-    row("Ctrl −", &[(Control, Key::Minus)], "smaller text", Command::TextSize(1.0 / 1.1), silent),
-    row("Ctrl 0", &[(Control, Key::Num0)], "usual text", Command::TextSize(0.0), silent),
+    row("Ctrl +", &[(Control, Key::Plus), (Control, Key::Equals)], "larger text", Command::TextSize(1.1), silent)
+        .on_page(None),
+    row("Ctrl −", &[(Control, Key::Minus)], "smaller text", Command::TextSize(1.0 / 1.1), silent).on_page(None),
+    row("Ctrl 0", &[(Control, Key::Num0)], "usual text", Command::TextSize(0.0), silent).on_page(None),
     row(
         "H, F1",
         &[(Up, Key::H), (Any, Key::F1), (Any, Key::Questionmark)],
@@ -153,15 +177,18 @@ pub static BINDINGS: &[Binding] = &[
 
 /// What a command does and its keys, for hints.
 #[must_use]
-pub fn hint_of(command: &Command) -> String {
+pub fn hint_of(command: &Command, front: Front) -> String {
     let row = BINDINGS.iter().find(|binding| binding.command == *command);
-    row.map_or_else(String::new, |binding| format!("{} ({})", binding.does, binding.keys))
+    row.map_or_else(String::new, |binding| match binding.keys(front) {
+        Some(keys) => format!("{} ({keys})", binding.does),
+        None => binding.does.to_owned(),
+    })
 }
 
 /// The keys of a command, for hints.
 #[must_use]
-pub fn keys_of(command: &Command) -> Option<&'static str> {
-    BINDINGS.iter().find(|binding| binding.command == *command).map(|binding| binding.keys)
+pub fn keys_of(command: &Command, front: Front) -> Option<&'static str> {
+    BINDINGS.iter().find(|binding| binding.command == *command)?.keys(front)
 }
 
 /// The file or folder that a text from a file manager's clipboard names: a path, or a `file:` address with `%20` for a space.

@@ -51,6 +51,8 @@ pub struct Look<'a> {
     pub can_undo: (bool, bool),
     /// Whether the window fills the screen.
     pub fullscreen: bool,
+    /// What all this is shown by.
+    pub front: Front,
     /// A sentence for the user about what was last done or refused.
     pub message: Option<&'a str>,
 }
@@ -146,6 +148,16 @@ fn drawn(color: Color) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
+/// What the panels are shown by: only what it can do is offered.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Front {
+    /// A window of its own, with files around it.
+    #[default]
+    Window,
+    /// A page in a browser, which has keys of its own, downloads and an address.
+    Page,
+}
+
 /// What is shown besides the picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[allow(clippy::struct_excessive_bools, reason = "each is shown or not, whatever the others are")]
@@ -164,6 +176,8 @@ pub struct Shown {
     pub asking_time: bool,
     /// The sheet of keys.
     pub help: bool,
+    /// Whether all this is part of another page: without the panel, time is there only for as long as someone points.
+    pub embedded: bool,
     /// The file about which it is asked whether the scene is to be written there.
     pub saving: Option<String>,
 }
@@ -172,7 +186,17 @@ impl Shown {
     /// As it was the last time, with nothing asked.
     #[must_use]
     pub fn remembered(panel: bool, slide: bool, charts: bool) -> Self {
-        Self { presenting: false, panel, slide, charts, answer: false, asking_time: false, help: false, saving: None }
+        Self {
+            presenting: false,
+            panel,
+            slide,
+            charts,
+            answer: false,
+            asking_time: false,
+            help: false,
+            embedded: false,
+            saving: None,
+        }
     }
 }
 

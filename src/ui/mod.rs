@@ -3,6 +3,7 @@
 mod body;
 mod charts;
 mod command;
+mod hand;
 mod help;
 mod icons;
 pub mod keys;
@@ -26,7 +27,7 @@ use egui::{ComboBox, Frame, Margin, Panel, Rect, RichText, ScrollArea, Ui};
 
 pub use command::{Command, Pixels};
 pub use keys::path_in;
-pub use look::{Look, Preview, Shown};
+pub use look::{Front, Look, Preview, Shown};
 pub use presenter::LARGER;
 pub use spin::Spin;
 pub use timeline::Timeline;
@@ -68,6 +69,8 @@ pub struct Panels {
     focus_wanted: bool,
     /// What had it last.
     last_focus: Option<egui::Id>,
+    /// When the pointer was last there, or a finger (s).
+    last_pointer: Option<f64>,
 }
 
 impl Panels {
@@ -81,8 +84,15 @@ impl Panels {
     pub fn ui(&mut self, ui: &mut Ui, look: &Look<'_>) -> Outcome {
         let mut commands = Vec::new();
         let room = ui.available_size();
-        if look.shown.presenting {
+        let in_hand = hand::is_small(room);
+        let is_part = look.shown.embedded && !look.shown.panel;
+        if look.shown.presenting && !is_part {
             presenter::strip(ui, look, &mut commands);
+        } else if in_hand && !is_part {
+            hand::strip(ui, look, &mut commands);
+            if look.shown.panel {
+                hand::sheet(ui, room, |ui| self.sheet(ui, look, &mut commands));
+            }
         } else if look.shown.panel {
             // In a narrow window the strip of time has the whole width.
             if room.x < NARROW {
@@ -94,7 +104,7 @@ impl Panels {
             }
         }
         // The picture comes first: what stands above and below it gives way in a low window.
-        let picture = PICTURE_SHARE * room.y;
+        let picture = room.y * if in_hand { hand::PICTURE_SHARE } else { PICTURE_SHARE };
         if look.shown.charts {
             let height = (ui.available_height() - picture).clamp(CHARTS_HEIGHT.0, CHARTS_HEIGHT.1);
             let frame = strip_frame(0);
@@ -105,6 +115,9 @@ impl Panels {
             slide::show(ui, look, ui.available_height() - picture);
         }
         let picture = self.viewport.ui(ui, look, &mut commands);
+        if is_part {
+            self.part_ui(ui, picture, look, &mut commands);
+        }
         if let Some(message) = look.message {
             message_ui(ui, picture, message);
         }
@@ -131,42 +144,84 @@ impl Panels {
         let frame = Frame::new().inner_margin(margin);
         let panel = Panel::right("controls").frame(frame).resizable(false).show_separator_line(false);
         panel.exact_size(style::PANEL_WIDTH).show(ui, |ui| {
-            // Room for the scroll bar, so that nothing moves when it comes.
+            self.controls(ui, look, commands, |_, _| {});
+        });
+    }
+
+    /// The panel on a small screen, with all of time that has no room in the strip.
+    fn sheet(&mut self, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+        self.controls(ui, look, commands, |ui, commands| hand::time_in_sheet(ui, look, commands));
+    }
+
+    /// What the panel holds; on a small screen with more above it.
+    fn controls(
+        &mut self,
+        ui: &mut Ui,
+        look: &Look<'_>,
+        commands: &mut Vec<Command>,
+        above: impl FnOnce(&mut Ui, &mut Vec<Command>),
+    ) {
+        // Room for the scroll bar, so that nothing moves when it comes.
+        ui.set_max_width(ui.available_width() - 10.0);
+        let title = scene_picker(ui, look, commands);
+        if std::mem::take(&mut self.focus_wanted) {
+            // Back to where it was, as after a number typed; else to the beginning.
+            let last = self.last_focus.filter(|last| ui.ctx().read_response(*last).is_some());
+            ui.memory_mut(|memory| memory.request_focus(last.unwrap_or(title.id)));
+        }
+        let tabs = [
+            (Tab::Motion, "Motion", "The body and how it starts"),
+            (Tab::Methods, "Methods", "How the motion is followed, and how well"),
+            (Tab::Picture, "Picture", "What is drawn, and pictures and scenes to keep"),
+        ];
+        if let Some(tab) = widgets::choice(ui, Some(self.tab), &tabs) {
+            self.tab = tab;
+        }
+        // They stay while what is below them scrolls.
+        ui.set_max_width(ui.available_width() + 10.0);
+        ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             ui.set_max_width(ui.available_width() - 10.0);
-            let title = scene_picker(ui, look, commands);
-            if std::mem::take(&mut self.focus_wanted) {
-                // Back to where it was, as after a number typed; else to the beginning.
-                let last = self.last_focus.filter(|last| ui.ctx().read_response(*last).is_some());
-                ui.memory_mut(|memory| memory.request_focus(last.unwrap_or(title.id)));
-            }
-            let tabs = [
-                (Tab::Motion, "Motion", "The body and how it starts"),
-                (Tab::Methods, "Methods", "How the motion is followed, and how well"),
-                (Tab::Picture, "Picture", "What is drawn, and pictures and scenes to keep"),
-            ];
-            if let Some(tab) = widgets::choice(ui, Some(self.tab), &tabs) {
-                self.tab = tab;
-            }
-            // They stay while what is below them scrolls.
-            ui.set_max_width(ui.available_width() + 10.0);
-            ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-                ui.set_max_width(ui.available_width() - 10.0);
-                match self.tab {
-                    Tab::Motion => {
-                        body::show(ui, look, commands);
-                        spin::show(ui, look, commands);
-                        readouts::motion(ui, look);
-                    }
-                    Tab::Methods => {
-                        method::show(ui, look, commands);
-                        readouts::errors(ui, look);
-                    }
-                    Tab::Picture => picture::show(ui, look, commands),
+            above(ui, commands);
+            match self.tab {
+                Tab::Motion => {
+                    body::show(ui, look, commands);
+                    spin::show(ui, look, commands);
+                    readouts::motion(ui, look);
                 }
+                Tab::Methods => {
+                    method::show(ui, look, commands);
+                    readouts::errors(ui, look);
+                }
+                Tab::Picture => picture::show(ui, look, commands),
+            }
+        });
+    }
+}
+
+impl Panels {
+    /// The strip of time over a picture that is part of another page, for as long as someone is there.
+    fn part_ui(&mut self, ui: &Ui, picture: Rect, look: &Look<'_>, commands: &mut Vec<Command>) {
+        let (now, is_there) = ui.input(|input| (input.time, input.pointer.has_pointer()));
+        if is_there {
+            self.last_pointer = Some(now);
+        }
+        let Some(left) = self.last_pointer.map(|last| last + LINGERS - now).filter(|left| *left > 0.0) else { return };
+        ui.ctx().request_repaint_after_secs(left as f32);
+        let area = egui::Area::new(egui::Id::unique("time in another page"))
+            .order(egui::Order::Foreground)
+            .pivot(egui::Align2::CENTER_BOTTOM)
+            .fixed_pos(picture.center_bottom() - egui::vec2(0.0, 8.0));
+        area.show(ui.ctx(), |ui| {
+            Frame::window(ui.style()).inner_margin(Margin::symmetric(10, 4)).show(ui, |ui| {
+                ui.set_width((picture.width() - 40.0).clamp(200.0, 560.0));
+                hand::strip_inside(ui, look, commands);
             });
         });
     }
 }
+
+/// How long (s) the strip stays in another page after the pointer or the finger is gone.
+const LINGERS: f64 = 3.0;
 
 /// The margins of a strip below the picture.
 fn strip_frame(bottom: i8) -> Frame {

@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use super::widgets::{choice, section};
-use super::{Command, Look, keys};
+use super::{Command, Front, Look, keys};
 use crate::objects::{self, Space};
 use crate::scene::{Layout, Theme};
 
@@ -29,12 +29,12 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             ("graphs", look.shown.charts, Command::ToggleCharts),
         ] {
             let mut is_on = is_on;
-            if ui.checkbox(&mut is_on, name).on_hover_text(keys::hint_of(&command)).changed() {
+            if ui.checkbox(&mut is_on, name).on_hover_text(keys::hint_of(&command, look.front)).changed() {
                 commands.push(command);
             }
         }
     });
-    keep(ui, commands);
+    keep(ui, look, commands);
     if look.scene.view.layout != Layout::Body {
         section(ui, "In the world");
         checkboxes(ui, look, Space::World, commands);
@@ -45,11 +45,13 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     }
 }
 
-/// What is kept of a scene: its picture, its command, its text.
-fn keep(ui: &mut Ui, commands: &mut Vec<Command>) {
+/// What is kept of a scene: its picture, its link, its command, its text.
+fn keep(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     ui.add_space(4.0);
     let buttons = [
         ("write picture", Command::Picture { transparent: false }),
+        ("transparent", Command::Picture { transparent: true }),
+        ("copy link", Command::CopyLink),
         ("copy as command", Command::CopyCommand),
         ("save scene", Command::SaveScene),
         ("undo", Command::Undo),
@@ -57,9 +59,12 @@ fn keep(ui: &mut Ui, commands: &mut Vec<Command>) {
         ("camera home", Command::Home),
         ("keys", Command::ToggleHelp),
     ];
+    let (open, screen) = (("open a file", Command::ChooseFile), ("full screen", Command::ToggleFullscreen));
+    // To a window files are dropped, and it has a key that fills the screen.
+    let pages_own = [open, screen].into_iter().filter(|_| look.front == Front::Page);
     ui.horizontal_wrapped(|ui| {
-        for (name, command) in buttons {
-            if ui.button(name).on_hover_text(keys::hint_of(&command)).clicked() {
+        for (name, command) in buttons.into_iter().chain(pages_own) {
+            if ui.button(name).on_hover_text(keys::hint_of(&command, look.front)).clicked() {
                 commands.push(command);
             }
         }

@@ -56,7 +56,8 @@ pub(super) fn motion(ui: &mut Ui, look: &Look<'_>) {
 /// The energy of a body that loses it.
 fn lost(ui: &mut Ui, look: &Look<'_>, energy: &str) {
     line(ui, "energy K", energy);
-    let lost = numbers::significant(-100.0 * look.sim.energy_error(), 3);
+    // At the start that is 0, and not −0.
+    let lost = numbers::significant(0.0 - 100.0 * look.sim.energy_error(), 3);
     note(ui, format!("{lost} % lost inside the body since the start, and none of L"));
 }
 

@@ -71,7 +71,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
 /// The question, with the key that opens its answer where there is one.
 fn asked(question: &str, look: &Look<'_>) -> String {
     let has_answer = !look.scene.file.answer.trim().is_empty() && !look.shown.answer;
-    match keys_of(&Command::ToggleAnswer).and_then(|keys| keys.split(',').next()) {
+    match keys_of(&Command::ToggleAnswer, look.front).and_then(|keys| keys.split(',').next()) {
         Some(key) if has_answer && !question.is_empty() => format!("{question}  ({key}: the answer)"),
         _ => question.to_owned(),
     }

@@ -15,15 +15,14 @@ pub const PANEL_WIDTH: f32 = 316.0;
 
 /// Sets fonts and sizes; once, at the start.
 pub fn install(ctx: &Context) {
-    let mut fonts = FontDefinitions::default();
-    fonts.font_data.insert("Sans".to_owned(), Arc::new(FontData::from_static(typeface::SANS)));
-    // The proportional font has no arrows; the bundled monospaced one has.
-    if let Some(family) = fonts.families.get_mut(&FontFamily::Proportional) {
-        family.insert(0, "Sans".to_owned());
-        if !family.iter().any(|name| name == "Hack") {
-            family.push("Hack".to_owned());
-        }
+    let mut fonts = FontDefinitions::empty();
+    let [sans, mono] = ["Sans", "Mono"].map(str::to_owned);
+    for (name, font) in [(&sans, typeface::SANS), (&mono, typeface::MONO)] {
+        fonts.font_data.insert(name.clone(), Arc::new(FontData::from_static(font)));
     }
+    // The proportional font has no arrows; the monospaced one has.
+    fonts.families.insert(FontFamily::Proportional, vec![sans.clone(), mono.clone()]);
+    fonts.families.insert(FontFamily::Monospace, vec![mono, sans]);
     ctx.set_fonts(fonts);
     // The keys for the size of text are in the table of keys.
     ctx.options_mut(|options| options.zoom_with_keyboard = false);
@@ -46,6 +45,20 @@ pub fn install(ctx: &Context) {
             spacing.window_margin = Margin::same(18);
             style.interaction.selectable_labels = false;
             style.visuals = visuals(theme);
+        });
+    }
+}
+
+/// Makes everything as large as fingers want it.
+pub fn for_fingers(ctx: &Context) {
+    for theme in [egui::Theme::Dark, egui::Theme::Light] {
+        ctx.style_mut_of(theme, |style| {
+            let spacing = &mut style.spacing;
+            spacing.interact_size = vec2(44.0, 44.0);
+            spacing.button_padding = vec2(10.0, 8.0);
+            spacing.icon_width = 22.0;
+            spacing.icon_width_inner = 12.0;
+            spacing.slider_rail_height = 6.0;
         });
     }
 }

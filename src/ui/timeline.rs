@@ -6,6 +6,8 @@ use egui::{Align2, FontId, Key, Rect, Sense, Stroke, Ui, WidgetInfo, pos2, vec2}
 use super::numbers::{significant, trimmed};
 use super::{Command, Look, style};
 
+/// Height of the bar with its numbers (points); fingers want more.
+const HEIGHT: f32 = 38.0;
 /// What an arrow key moves, as a part of the bar.
 const STEP: f64 = 0.01;
 
@@ -54,7 +56,8 @@ impl Timeline {
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let Timeline { low, high, .. } = *look.timeline;
     let time = look.sim.time();
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 38.0), Sense::click_and_drag());
+    let height = HEIGHT.max(ui.spacing().interact_size.y);
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::slider(true, time, "time (s)"));
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_min_numeric_value(low);

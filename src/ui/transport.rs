@@ -29,7 +29,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.set_height(42.0);
         let mut button = |ui: &mut Ui, icon, name: &str, size, state: Option<bool>, command: Command| {
-            let name = keys_of(&command).map_or(name.to_owned(), |keys| format!("{name} ({keys})"));
+            let name = keys_of(&command, look.front).map_or(name.to_owned(), |keys| format!("{name} ({keys})"));
             if icon_button(ui, icon, &name, size, state).clicked() {
                 commands.push(command);
             }
@@ -74,13 +74,13 @@ fn clock_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let width = 13.5 * time.chars().count().max(decimals + 5) as f32;
     let text = egui::Label::new(RichText::new(time).monospace().size(22.0)).halign(Align::Min);
     let clock = ui.add_sized([width, 30.0], text.sense(egui::Sense::click()));
-    if clock.on_hover_text(hint_of(&Command::AskTime)).clicked() {
+    if clock.on_hover_text(hint_of(&Command::AskTime, look.front)).clicked() {
         commands.push(Command::AskTime);
     }
 }
 
 /// The speed, and below it where one is in the scene and that time runs slowly.
-fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+pub(super) fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let slow = look.slow_words();
     if slow.is_none() && look.scene.at.is_none() {
         return speed_row(ui, look, commands);
@@ -154,7 +154,7 @@ pub(super) fn next_flip(look: &Look<'_>) -> (String, bool) {
 }
 
 /// How often it flips and when next.
-fn flips(ui: &mut Ui, look: &Look<'_>) {
+pub(super) fn flips(ui: &mut Ui, look: &Look<'_>) {
     let words = |text: String| RichText::new(text).size(14.5);
     let speed = look.sim.clock.speed;
     let next = look.timeline.next_flip(look.sim.time(), speed < 0.0);

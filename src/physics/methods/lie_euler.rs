@@ -1,4 +1,4 @@
-//! The notes' simple first-order Lie group integrator: the angular velocity is held fixed during a step.
+//! The simplest Lie group integrator, of first order: the angular velocity is held fixed during a step.
 
 use glam::{DQuat, DVec3};
 

@@ -3,19 +3,16 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use winit::event_loop::OwnedDisplayHandle;
-use winit::window::Window;
-
-use super::WindowError;
+use super::StageError;
 use super::sheet::Sheet;
 use super::stale::Shown;
 use super::surface::{Acquired, Surface};
 use crate::frame::{Frame, PlacedName};
-use crate::render::{Canvas, Gpu, Painter, Pixels};
+use crate::render::{Canvas, Gpu, Painter, Reading};
 
-/// The device, the window's surface and what is drawn with.
+/// The device, the surface and what is drawn with.
 pub(super) struct Screen {
-    // Dropped in this order: what lives on the device before the device, the surface before its instance.
+    // Dropped in this order: what lives on the device before the device.
     surface: Surface,
     painter: Painter,
     panels: egui_wgpu::Renderer,
@@ -24,7 +21,6 @@ pub(super) struct Screen {
     /// Whether the picture is another one than that of the last frame.
     is_picture_new: bool,
     gpu: Gpu,
-    instance: wgpu::Instance,
     is_lost: Arc<AtomicBool>,
     /// The device was taken away on trial.
     is_trial: Arc<AtomicBool>,
@@ -32,13 +28,15 @@ pub(super) struct Screen {
 
 /// What came of presenting a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Presented {
+pub enum Presented {
     /// It is on the screen.
     Shown,
     /// There was nothing to draw to.
     Skipped,
     /// It should be tried again at once.
     Again,
+    /// The surface is gone: it should be tried again with another one.
+    SurfaceLost,
 }
 
 /// What the panels came to, ready for drawing.
@@ -52,19 +50,15 @@ pub(super) struct Painted {
 }
 
 impl Screen {
-    /// Finds an adapter for the window and opens a device on it.
-    pub(super) fn new(
-        window: &Arc<Window>,
-        display: OwnedDisplayHandle,
+    /// Finds an adapter for the surface and opens a device on it; `on_lost` is called where that device is gone.
+    pub(super) async fn open(
+        instance: &wgpu::Instance,
+        surface: wgpu::Surface<'static>,
         adapter: Option<&str>,
+        size: (u32, u32),
         on_lost: impl Fn() + Send + 'static,
-    ) -> Result<Self, WindowError> {
-        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
-        descriptor.display = Some(Box::new(display));
-        let instance = wgpu::Instance::new(descriptor);
-        let surface =
-            instance.create_surface(Arc::clone(window)).map_err(|error| WindowError::Display(error.to_string()))?;
-        let mut gpu = pollster::block_on(Gpu::for_surface(&instance, &surface, adapter))?;
+    ) -> Result<Self, StageError> {
+        let mut gpu = Gpu::for_surface(instance, &surface, adapter).await?;
         let is_lost = Arc::new(AtomicBool::new(false));
         let is_trial = Arc::new(AtomicBool::new(false));
         let (flag, trial) = (Arc::clone(&is_lost), Arc::clone(&is_trial));
@@ -75,14 +69,14 @@ impl Screen {
                 on_lost();
             }
         });
-        let surface = Surface::new(surface, &gpu, window)?;
+        let surface = Surface::new(surface, &gpu, size)?;
         let sheet = surface.takes_copies().then(Sheet::default);
         if sheet.is_some() {
             gpu.draw_as(surface.format());
         }
         let painter = Painter::for_window(&gpu, surface.format());
         let panels = egui_wgpu::Renderer::new(&gpu.device, surface.format(), egui_wgpu::RendererOptions::default());
-        Ok(Self { surface, painter, panels, sheet, is_picture_new: false, gpu, instance, is_lost, is_trial })
+        Ok(Self { surface, painter, panels, sheet, is_picture_new: false, gpu, is_lost, is_trial })
     }
 
     /// Whether the device is gone and everything on it.
@@ -101,12 +95,12 @@ impl Screen {
         &self.gpu
     }
 
-    /// The window's size in pixels.
+    /// Its size in pixels.
     pub(super) fn size(&self) -> (u32, u32) {
         self.surface.size()
     }
 
-    /// Follows the window's size.
+    /// Follows the screen's size.
     pub(super) fn resize(&mut self, width: u32, height: u32) {
         self.surface.resize(&self.gpu, width, height);
     }
@@ -127,20 +121,24 @@ impl Screen {
         self.painter.names()
     }
 
-    /// Draws a picture apart from the window.
-    pub(super) fn picture(&mut self, frame: &Frame, size: [u32; 2]) -> Result<Pixels, String> {
-        let canvas = Canvas::new(&self.gpu, size);
-        let reading = self.painter.draw_on(&self.gpu, &canvas, frame);
-        canvas.finish_read(&self.gpu, &reading).map_err(|error| error.to_string())
+    /// Takes another surface of the same screen.
+    pub(super) fn replace_surface(&mut self, surface: wgpu::Surface<'static>) {
+        self.surface.replace(surface, &self.gpu);
     }
 
-    /// Draws the picture at its place, the panels on top, and presents. The context is that of the panels.
+    /// Draws a frame on a canvas, apart from the screen, and asks for it.
+    pub(super) fn draw_on(&mut self, canvas: &Canvas, frame: &Frame) -> Reading {
+        self.painter.draw_on(&self.gpu, canvas, frame)
+    }
+
+    /// Draws the picture at its place, the panels on top, and presents; `before` is called right before that. The context is that
+    /// of the panels.
     pub(super) fn present(
         &mut self,
-        window: &Arc<Window>,
         context: &egui::Context,
         shown: Shown,
         mut textures: egui::TexturesDelta,
+        before: impl FnOnce(),
     ) -> Presented {
         // A texture as a whole is another one, whatever shows it.
         if let Some(sheet) = &mut self.sheet
@@ -150,7 +148,7 @@ impl Screen {
         }
         // Also where no frame is had: the next pass only tells what changed since.
         upload(&self.gpu, &mut self.panels, &mut textures);
-        let presented = match self.surface.acquire(&self.instance, &self.gpu, window) {
+        let presented = match self.surface.acquire(&self.gpu) {
             Acquired::Frame { texture, is_suboptimal } => {
                 let is_picture_new = std::mem::take(&mut self.is_picture_new);
                 if let Some(sheet) = &mut self.sheet {
@@ -166,7 +164,7 @@ impl Screen {
                     };
                     paint(&self.gpu, (&view, self.surface.size()), picture, &mut self.panels, &painted);
                 }
-                window.pre_present_notify();
+                before();
                 self.gpu.queue.present(texture);
                 if is_suboptimal {
                     self.surface.configure(&self.gpu);
@@ -175,6 +173,7 @@ impl Screen {
             }
             Acquired::Skip => Presented::Skipped,
             Acquired::Again => Presented::Again,
+            Acquired::Lost => Presented::SurfaceLost,
             Acquired::Gone => {
                 self.is_lost.store(true, Ordering::Relaxed);
                 Presented::Skipped
@@ -196,7 +195,7 @@ pub(super) fn paint(
     painted: &Painted,
 ) {
     let Gpu { device, queue, .. } = gpu;
-    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("window") });
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("screen") });
     let screen =
         egui_wgpu::ScreenDescriptor { size_in_pixels: [size.0, size.1], pixels_per_point: painted.pixels_per_point };
     let uploads = panels.update_buffers(device, queue, &mut encoder, &painted.primitives, &screen);
@@ -204,7 +203,7 @@ pub(super) fn paint(
     let background = wgpu::Color { r: r.into(), g: g.into(), b: b.into(), a: 1.0 };
     let mut pass = encoder
         .begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("window"),
+            label: Some("screen"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
                 view: target,
                 depth_slice: None,

@@ -9,7 +9,7 @@ const MEASURED: Duration = Duration::from_millis(500);
 
 /// Paces frames and measures how fast simulated time really runs.
 #[derive(Debug)]
-pub(super) struct Pacer {
+pub struct Pacer {
     period: Duration,
     /// The earliest time of the next frame.
     due: Instant,
@@ -19,19 +19,15 @@ pub(super) struct Pacer {
 }
 
 impl Pacer {
-    pub(super) fn new() -> Self {
-        Self {
-            period: Duration::from_millis(16),
-            due: Instant::now(),
-            last_tick: None,
-            measured: None,
-            real_time_factor: None,
-        }
+    /// A pacer that begins now.
+    #[must_use]
+    pub fn new(now: Instant) -> Self {
+        Self { period: Duration::from_millis(16), due: now, last_tick: None, measured: None, real_time_factor: None }
     }
 
     /// Fits the period to a monitor. Fast monitors get every second or third frame: more than 60 show nothing more.
     /// Slightly shorter than the monitor's own period, so that a display that does hold frames back sets the beat.
-    pub(super) fn set_refresh_rate(&mut self, millihertz: Option<u32>) {
+    pub fn set_refresh_rate(&mut self, millihertz: Option<u32>) {
         let hertz = f64::from(millihertz.unwrap_or(60_000)) / 1e3;
         let hertz = if (20.0..1000.0).contains(&hertz) { hertz } else { 60.0 };
         let every = (hertz / 76.0).ceil();
@@ -39,19 +35,20 @@ impl Pacer {
     }
 
     /// The earliest time of the next frame.
-    pub(super) fn due(&self) -> Instant {
+    #[must_use]
+    pub fn due(&self) -> Instant {
         self.due
     }
 
     /// A frame begins.
-    pub(super) fn begin(&mut self, now: Instant) {
+    pub fn begin(&mut self, now: Instant) {
         // After a late frame the beat starts anew rather than catching up.
         let next = self.due + self.period;
         self.due = if next > now { next } else { now + self.period };
     }
 
     /// The real time (s) since the last frame that was played.
-    pub(super) fn tick(&mut self, now: Instant) -> f64 {
+    pub fn tick(&mut self, now: Instant) -> f64 {
         let passed = self.last_tick.replace(now).map_or(Duration::ZERO, |last| now - last);
         if passed > LONGEST_FRAME {
             // Not played, so not measured either.
@@ -62,14 +59,14 @@ impl Pacer {
     }
 
     /// Playing has stopped: the time until it goes on is not played.
-    pub(super) fn stand(&mut self) {
+    pub fn stand(&mut self) {
         self.last_tick = None;
         self.measured = None;
         self.real_time_factor = None;
     }
 
     /// Follows simulated time (s); it jumps after a restart, which starts the measurement anew.
-    pub(super) fn measure(&mut self, now: Instant, simulated: f64, has_jumped: bool) {
+    pub fn measure(&mut self, now: Instant, simulated: f64, has_jumped: bool) {
         match self.measured {
             Some((since, at)) if !has_jumped => {
                 if now - since >= MEASURED {
@@ -82,7 +79,8 @@ impl Pacer {
     }
 
     /// Simulated seconds a real second, as measured while playing.
-    pub(super) fn real_time_factor(&self) -> Option<f64> {
+    #[must_use]
+    pub fn real_time_factor(&self) -> Option<f64> {
         self.real_time_factor
     }
 }

@@ -1,13 +1,9 @@
-//! The window's surface: what frames are drawn to and presented by.
+//! The surface that frames are drawn to and presented by.
 
-use std::sync::Arc;
-
-use winit::window::Window;
-
-use super::WindowError;
+use super::StageError;
 use crate::render::Gpu;
 
-/// The window's surface with its configuration.
+/// A surface with its configuration.
 #[derive(Debug)]
 pub(super) struct Surface {
     inner: wgpu::Surface<'static>,
@@ -30,6 +26,8 @@ pub(super) enum Acquired {
     Skip,
     /// Nothing yet, but what was wrong has been mended: try again at once.
     Again,
+    /// Nothing yet: the surface is gone, and whoever owns the screen must give another one.
+    Lost,
     /// No frame is to be had from this device any more.
     Gone,
 }
@@ -38,12 +36,13 @@ pub(super) enum Acquired {
 const MOST_FAULTS: u32 = 5;
 
 impl Surface {
-    /// Fits a surface to its window.
-    pub(super) fn new(surface: wgpu::Surface<'static>, gpu: &Gpu, window: &Window) -> Result<Self, WindowError> {
-        let size = window.inner_size();
-        let refused = || WindowError::Surface(gpu.description().name);
-        let mut config =
-            surface.get_default_config(&gpu.adapter, size.width.max(1), size.height.max(1)).ok_or_else(refused)?;
+    /// Fits a surface to this size (pixels).
+    pub(super) fn new(surface: wgpu::Surface<'static>, gpu: &Gpu, size: (u32, u32)) -> Result<Self, StageError> {
+        let refused = || StageError::Surface(gpu.description().name);
+        let most = gpu.largest_side();
+        let mut config = surface
+            .get_default_config(&gpu.adapter, size.0.clamp(1, most), size.1.clamp(1, most))
+            .ok_or_else(refused)?;
         let formats = surface.get_capabilities(&gpu.adapter).formats;
         // The panels blend in encoded values: a format that encodes by itself would blend them wrongly.
         let plain = [wgpu::TextureFormat::Bgra8Unorm, wgpu::TextureFormat::Rgba8Unorm];
@@ -76,7 +75,13 @@ impl Surface {
         (self.config.width, self.config.height)
     }
 
-    /// Follows the window's size; a size of 0 (minimised) is left alone.
+    /// Takes another surface of the same screen.
+    pub(super) fn replace(&mut self, surface: wgpu::Surface<'static>, gpu: &Gpu) {
+        self.inner = surface;
+        self.configure(gpu);
+    }
+
+    /// Follows the screen's size; a size of 0 (minimised) is left alone.
     pub(super) fn resize(&mut self, gpu: &Gpu, width: u32, height: u32) {
         let most = gpu.largest_side();
         let (width, height) = (width.min(most), height.min(most));
@@ -93,7 +98,7 @@ impl Surface {
     }
 
     /// The next frame.
-    pub(super) fn acquire(&mut self, instance: &wgpu::Instance, gpu: &Gpu, window: &Arc<Window>) -> Acquired {
+    pub(super) fn acquire(&mut self, gpu: &Gpu) -> Acquired {
         use wgpu::CurrentSurfaceTexture as Current;
         let current = self.inner.get_current_texture();
         match current {
@@ -113,13 +118,7 @@ impl Surface {
                 self.configure(gpu);
                 Acquired::Again
             }
-            Current::Lost => {
-                if let Ok(surface) = instance.create_surface(Arc::clone(window)) {
-                    self.inner = surface;
-                    self.configure(gpu);
-                }
-                Acquired::Again
-            }
+            Current::Lost => Acquired::Lost,
             Current::Validation => {
                 gpu.queue.submit([]);
                 Acquired::Again

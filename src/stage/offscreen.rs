@@ -1,6 +1,6 @@
 //! The window as it would look, drawn with no window: the picture with the panels around it.
 
-use super::open::{picture_point, place, zoom};
+use super::fit::{picture_point, place, zoom};
 use super::screen::{Painted, paint, upload};
 use crate::render::{Canvas, FORMAT, Gpu, GpuError, Painter, Pixels};
 use crate::scene::Scene;

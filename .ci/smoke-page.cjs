@@ -1,0 +1,300 @@
+// What people do with the page, done by a browser with no screen: see .ci/smoke-page.
+"use strict";
+const { chromium } = require("playwright-core");
+const { execFileSync } = require("node:child_process");
+const fs = require("node:fs");
+const http = require("node:http");
+const path = require("node:path");
+
+const { PAGE, SCRATCH, SHOT, SCENES, ONE } = process.env;
+const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".json": "application/json" };
+const ARGUMENTS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
+  "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+let failed = 0;
+const fail = (words) => { console.error(`smoke: ${words}`); failed = 1; };
+const check = (holds, words) => holds || fail(words);
+const settled = (ms) => new Promise((done) => setTimeout(done, ms));
+
+// The page from a path of its own, as any server has it, and another page that shows it.
+const serve = (extra) => new Promise((done) => {
+  const server = http.createServer((request, response) => {
+    let name = decodeURIComponent(new URL(request.url, "http://x").pathname);
+    if (name === "/favicon.ico") return response.writeHead(204).end();
+    if (extra && extra[name]) return response.writeHead(200, { "content-type": "text/html" }).end(extra[name]);
+    if (!name.startsWith("/some/where/")) return response.writeHead(404).end();
+    name = name.slice("/some/where/".length) || "index.html";
+    const file = path.join(PAGE, path.normalize(name));
+    if (!file.startsWith(PAGE) || !fs.existsSync(file)) return response.writeHead(404).end();
+    response.writeHead(200, { "content-type": TYPES[path.extname(file)] || "application/octet-stream" }).end(fs.readFileSync(file));
+  });
+  server.listen(0, "127.0.0.1", () => done(server));
+});
+
+const complaints = [];
+const watch = (page) => {
+  page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
+  page.on("pageerror", (error) => complaints.push(String(error)));
+};
+const COUNT = () => {
+  window.frames_seen = 0;
+  const ask = window.requestAnimationFrame.bind(window);
+  window.requestAnimationFrame = (call) => ask((time) => { window.frames_seen++; const from = performance.now(); call(time); (window.frame_times ||= []).push(performance.now() - from); });
+  window.answers = [];
+  window.addEventListener("message", (event) => { if (event.data && event.data.dzhanibekov === "is") window.answers.push(event.data); });
+  window.keys_seen = {};
+  window.addEventListener("keydown", (event) => { window.keys_seen[(event.ctrlKey ? "Ctrl+" : "") + event.key] = event.defaultPrevented; });
+  document.addEventListener("securitypolicyviolation", (event) => console.error(`CSP: ${event.violatedDirective} ${event.blockedURI}`));
+};
+
+(async () => {
+  const server = await serve();
+  const base = `http://127.0.0.1:${server.address().port}/some/where/`;
+  const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || "/usr/bin/chromium", args: ARGUMENTS });
+  const open = async (address, options = {}) => {
+    const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, colorScheme: "dark", acceptDownloads: true, ...options });
+    const page = await context.newPage();
+    watch(page);
+    await page.addInitScript(COUNT);
+    await page.goto(base + address);
+    await page.waitForFunction(() => document.documentElement.dataset.state !== "loading", null, { timeout: 60000 });
+    const state = await page.evaluate(() => `${document.documentElement.dataset.state} ${document.getElementById("sentence").textContent}`);
+    check(state.trim() === "running", `${address}: the page says: ${state}`);
+    return page;
+  };
+  const state = async (page) => {
+    await page.evaluate(() => { window.answers = []; window.postMessage({ dzhanibekov: "state" }, "*"); });
+    await page.waitForFunction(() => window.answers.length > 0, null, { timeout: 10000 });
+    return page.evaluate(() => window.answers[0]);
+  };
+  // Whatever takes its time is asked for until it is there.
+  const until = async (ask) => {
+    for (const end = Date.now() + 8000; Date.now() < end; await settled(50)) if (await ask()) return true;
+    return false;
+  };
+  const pressed = async (page, key, differs) => {
+    const before = await state(page);
+    await page.keyboard.press(key);
+    let after;
+    if (!await until(async () => differs(before, after = await state(page)))) fail(`${key} does not do what it should: ${JSON.stringify(before)} → ${JSON.stringify(after)}`);
+  };
+  const close = (page) => page.context().close();
+
+  // The picture is the window's.
+  let page = await open("?play=0#flip?time=0&scene-step=1");
+  await settled(9000);
+  let seen = await page.evaluate(() => window.frames_seen);
+  await settled(5000);
+  check(await page.evaluate(() => window.frames_seen) === seen, "paused, the page draws on");
+  await page.screenshot({ path: `${SCRATCH}/desk.png` });
+  const compared = (() => {
+    try { return execFileSync("compare", ["-metric", "MAE", SHOT, `${SCRATCH}/desk.png`, "null:"], { stdio: ["ignore", "pipe", "pipe"] }).toString(); } catch (error) { return error.stderr.toString(); }
+  })();
+  const difference = Number((/\(([^)]*)\)/.exec(compared) || [])[1]);
+  // Edges are smoothed by another device: a few in a thousand of the whole range, in the mean.
+  check(difference < 0.005, `the page and shot --panel differ by ${compared}`);
+
+  // Keys, without a click: on a scene with no steps, whose link says each thing by its key; then on one that is told in steps.
+  await page.evaluate(() => window.postMessage({ dzhanibekov: "open", link: "#t-handle" }, "*"));
+  await until(async () => (await state(page)).link.startsWith("#t-handle"));
+  for (const [key, differs] of [
+    ["Space", (a, b) => a.playing !== b.playing], ["Space", (a, b) => a.playing !== b.playing], ["ArrowRight", (a, b) => b.time > a.time], ["ArrowLeft", (a, b) => b.time < a.time],
+    ["1", (a, b) => b.link.includes("spin.axis=1")], ["3", (a, b) => b.link.includes("spin.axis=3")], ["2", (a, b) => !b.link.includes("spin.axis=3")],
+    ["k", (a, b) => b.link.includes("spin.omega") && b.link !== a.link], ["Control+z", (a, b) => b.link !== a.link], ["Control+Shift+z", (a, b) => b.link.includes("spin.omega") && b.link !== a.link],
+    ["Shift+R", (a, b) => b.link !== a.link && !b.link.includes("spin.axis")], ["n", (a, b) => b.time > a.time], ["r", (a, b) => b.time < a.time], ["Shift+Space", (a, b) => b.time < a.time],
+    ["Space", (a, b) => a.playing !== b.playing],
+    ["f", (a, b) => b.link !== a.link], ["t", (a, b) => b.link.includes("view.theme=light")], ["l", (a, b) => b.link.includes("view.labels=false")],
+    ["Shift+PageDown", (a, b) => b.title !== a.title], ["Shift+PageUp", (a, b) => b.title !== a.title],
+  ]) await pressed(page, key, differs);
+  await page.evaluate(() => window.postMessage({ dzhanibekov: "open", link: "#flip" }, "*"));
+  await until(async () => (await state(page)).link.startsWith("#flip"));
+  await pressed(page, "PageDown", (a, b) => b.link.includes("scene-step=2"));
+  await pressed(page, "PageUp", (a, b) => b.link.includes("scene-step=1"));
+  for (const key of ["s", "g", "m", "h"]) {
+    const before = await page.screenshot();
+    await page.keyboard.press(key);
+    check(await until(async () => !before.equals(await page.screenshot())), `${key} changes nothing on the page`);
+  }
+  await page.keyboard.press("Escape");
+  for (const key of ["F5", "F6", "F11", "F12", "Tab", "Control+r", "Control+l", "Control+t", "Control+v", "Control+0"]) {
+    // Sent to the page alone: the browser's own answer would leave it.
+    const [control, name] = key.startsWith("Control+") ? [true, key.slice(8)] : [false, key];
+    const prevented = await page.evaluate(([ctrlKey, key]) => !window.dispatchEvent(new KeyboardEvent("keydown", { key, ctrlKey, bubbles: true, cancelable: true })), [control, name]);
+    check(!prevented, `${key} is taken from the browser`);
+  }
+  await close(page);
+
+  // By the keyboard alone, and by ear.
+  page = await open("?play=0");
+  const find = (words) => page.evaluate((words) => [...document.querySelectorAll("#mirror button")].some((button) => button.textContent.startsWith(words)), words);
+  await until(() => find("play"));
+  const names = await page.evaluate(() => [...document.querySelectorAll("#mirror button, #mirror input, #mirror p")].map((element) => element.ariaLabel || element.textContent));
+  for (const wanted of ["The flip", "play", "time (s)", "Motion", "edge a"]) check(names.some((name) => name.includes(wanted)), `nothing is called “${wanted}”: ${names.join(" | ")}`);
+  await page.evaluate(() => [...document.querySelectorAll("#mirror button")].find((button) => button.textContent.startsWith("play")).focus());
+  await page.keyboard.press("Enter");
+  check(await until(async () => (await state(page)).playing), "Enter on “play” does not play");
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Space");
+  check(await until(async () => !(await state(page)).playing), "Space does nothing after a control was left");
+  await close(page);
+
+  // Links: of every scene, and back and forward.
+  page = await open("?play=0");
+  const scenes = JSON.parse(fs.readFileSync(SCENES)).map((scene) => scene.name);
+  check(scenes.length > 5, "the program lists no scenes");
+  for (const name of scenes) {
+    const link = async (asked) => { await page.evaluate((asked) => window.postMessage({ dzhanibekov: "open", link: asked }, "*"), asked); await settled(60); return (await state(page)).link; };
+    const first = await link(`#${name}?time=0.5`);
+    check(first.startsWith(`#${name}`), `#${name} opens ${first}`);
+    const again = await link(first);
+    check(first === again, `${first} comes back as ${again}`);
+  }
+  await close(page);
+  page = await open("?play=0#flip");
+  await page.keyboard.press("Shift+PageDown");
+  check(await until(() => !page.url().includes("#flip")), `the address stays ${page.url()}`);
+  await page.goBack();
+  check(await until(async () => (await state(page)).link.startsWith("#flip")), "back does not come back");
+  await page.goForward();
+  check(await until(async () => !(await state(page)).link.startsWith("#flip")), "forward does not go forward");
+  await page.evaluate(() => { location.hash = "#flop"; });
+  check(await until(() => page.evaluate(() => document.getElementById("live").textContent.includes("flop"))), "a bad link says nothing");
+  await close(page);
+
+  // Files.
+  page = await open("?play=0");
+  await page.evaluate(() => {
+    const data = new DataTransfer();
+    data.items.add(new File(["title = \"Mine\"\n[body]\nbox = [0.3, 0.2, 0.1]\nmass = 1\n[spin]\naxis = 1\nrate = 2\n"], "mine.toml"));
+    document.getElementById("canvas").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  });
+  check(await until(async () => (await state(page)).title === "Mine" && (await state(page)).link.startsWith("#scene=")), "a dropped scene does not open");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
+  check(download.suggestedFilename() === "mine.toml" && fs.readFileSync(await download.path(), "utf8").includes("0.3"), "the scene is not downloaded");
+  await page.evaluate(() => {
+    const data = new DataTransfer();
+    data.setData("text/plain", "#flip?spin.rate=8");
+    document.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+  });
+  check(await until(async () => (await state(page)).link.includes("spin.rate=8")), "a pasted link does not open");
+  const press = async (words) => await until(() => find(words)) && page.evaluate((words) => [...document.querySelectorAll("#mirror button")].find((button) => button.textContent.startsWith(words)).click(), words);
+  await press("Picture");
+  const [picture] = await Promise.all([page.waitForEvent("download"), press("write picture")]);
+  check(picture.suggestedFilename() === "the-flip.png" && fs.statSync(await picture.path()).size > 10000, "the picture is not downloaded");
+
+  // The graphics taken away, and back where it was.
+  if ((await state(page)).playing) await pressed(page, "Space", (a, b) => !b.playing);
+  const before = (await state(page)).link;
+  complaints.length || await page.evaluate(() => document.getElementById("canvas").getContext("webgl2").getExtension("WEBGL_lose_context").loseContext());
+  await settled(700);
+  check(await page.evaluate(() => document.documentElement.dataset.state === "failed" && document.getElementById("sentence").textContent.includes("load it again")), "a lost context says nothing");
+  complaints.length = 0;
+  await page.click("#again");
+  await page.waitForFunction(() => document.documentElement.dataset.state === "running", null, { timeout: 60000 });
+  const after = (await state(page)).link;
+  check(after === before, `after a lost context ${before} is ${after}`);
+
+  // Without a connection.
+  await settled(1500);
+  await page.context().setOffline(true);
+  await page.reload();
+  await page.waitForFunction(() => document.documentElement.dataset.state === "running", null, { timeout: 60000 }).catch(() => fail("without a connection it does not open again"));
+  await close(page);
+  complaints.splice(0, complaints.length, ...complaints.filter((words) => !words.includes("ERR_INTERNET_DISCONNECTED")));
+
+  // In another page, of another origin.
+  const other = await serve({ "/slide.html": `<body style="margin:0;background:#234"><iframe id="it" width="800" height="450" src="${base}?embed&theme=light#flip?scene-step=6"></iframe></body>` });
+  const context = await browser.newContext({ viewport: { width: 900, height: 500 }, reducedMotion: "reduce" });
+  page = await context.newPage();
+  watch(page);
+  await page.addInitScript(() => { window.told = []; window.addEventListener("message", (event) => window.told.push(event.data)); });
+  await page.goto(`http://localhost:${other.address().port}/slide.html`);
+  await page.waitForFunction(() => window.told.some((told) => told.dzhanibekov === "ready"), null, { timeout: 60000 }).catch(() => fail("the page in another one is never ready"));
+  check(await page.evaluate(() => window.told[0] && window.told[0].playing === false), "where less motion is wanted it moves at once");
+  const asked = async (message) => {
+    await page.evaluate((message) => { window.told = []; document.getElementById("it").contentWindow.postMessage(message, "*"); }, message);
+    await page.waitForFunction(() => window.told.length > 0, null, { timeout: 10000 }).catch(() => fail(`no answer to ${JSON.stringify(message)}`));
+    return page.evaluate(() => window.told[0] || {});
+  };
+  check((await asked({ dzhanibekov: "goto", time: 2.5 })).time === 2.5, "goto does not go");
+  check((await asked({ dzhanibekov: "play" })).playing === true, "play does not play");
+  check((await asked({ dzhanibekov: "pause" })).playing === false, "pause does not pause");
+  check((await asked({ dzhanibekov: "open", link: "#t-handle?time=1" })).link.startsWith("#t-handle"), "open does not open");
+  check((await asked({ dzhanibekov: "step", count: 3 })).time > 1, "step does not step");
+  await page.mouse.move(400, 200);
+  await settled(400);
+  await page.screenshot({ path: `${SCRATCH}/slide.png` });
+  await context.close();
+  other.close();
+
+  // In the hand.
+  const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+  page = await open("?play=0#flip?scene-step=6", phone);
+  await settled(500);
+  await page.screenshot({ path: `${SCRATCH}/upright.png` });
+  const touch = await page.context().newCDPSession(page);
+  const fingers = (type, points) => touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const drag = async (from, to) => {
+    await fingers("touchStart", from);
+    for (let part = 1; part <= 5; part++) { await fingers("touchMove", from.map(([x, y], i) => [x + (to[i][0] - x) * part / 5, y + (to[i][1] - y) * part / 5])); await settled(40); }
+    await fingers("touchEnd", []);
+    await settled(200);
+  };
+  const home = (await state(page)).link;
+  await drag([[195, 330]], [[250, 350]]);
+  check(await until(async () => (await state(page)).link !== home), "one finger turns nothing");
+  const turned = (await state(page)).link;
+  await drag([[150, 330], [240, 330]], [[110, 330], [280, 330]]);
+  check(await until(async () => (await state(page)).link !== turned), "two fingers zoom nothing");
+  check((await state(page)).link.indexOf("spin.omega") < 0, "two fingers start another motion");
+  await page.touchscreen.tap(32, 820);
+  await settled(600);
+  await page.screenshot({ path: `${SCRATCH}/sheet.png` });
+  check(await page.evaluate(() => window.scrollY === 0 && visualViewport.scale === 1), "the page itself scrolls or zooms");
+  await close(page);
+  page = await open("?play=0#flip?scene-step=6", { ...phone, viewport: { width: 844, height: 390 } });
+  await settled(500);
+  await page.screenshot({ path: `${SCRATCH}/lying.png` });
+  await close(page);
+
+  // In one file, from the disk.
+  const alone = await browser.newContext({ viewport: { width: 800, height: 450 } });
+  page = await alone.newPage();
+  watch(page);
+  await page.addInitScript(COUNT);
+  const loads = [];
+  page.on("request", (request) => loads.push(request.url()));
+  await page.goto(`file://${ONE}`);
+  await page.waitForFunction(() => document.documentElement.dataset.state === "running", null, { timeout: 60000 }).catch(() => fail("the page in one file does not run"));
+  const first = await state(page);
+  check(first.title === "The T-handle" && first.time >= 1 && first.playing, `the page in one file begins with ${JSON.stringify(first)}`);
+  check(await until(async () => (await state(page)).time > first.time), "the page in one file stands still");
+  check(loads.every((address) => address.startsWith("data:") || address === `file://${ONE}`), `the page in one file loads ${loads.join(", ").slice(0, 300)}`);
+  await page.screenshot({ path: `${SCRATCH}/one.png` });
+  await page.goto(`file://${ONE}?embed=0&play=0`);
+  check(await until(async () => !(await state(page)).playing), "the page in one file hears no wish");
+  await alone.close();
+
+  // How fast it is: told, and held only loosely, for machines differ.
+  page = await open("#flip");
+  await settled(3000);
+  const times = await page.evaluate(() => window.frame_times.slice(5).sort((a, b) => a - b));
+  const loaded = await page.evaluate(() => performance.getEntriesByName("first frame")[0]?.startTime ?? 0);
+  console.error(`smoke: the main thread takes ${times[times.length >> 1]?.toFixed(1)} ms a frame, the first frame came after ${Math.round(loaded)} ms`);
+  await close(page);
+  await browser.close();
+
+  // Twice the pixels.
+  const sharp = await chromium.launch({ executablePath: process.env.CHROMIUM || "/usr/bin/chromium", args: [...ARGUMENTS, "--force-device-scale-factor=2"] });
+  const sharpPage = await (await sharp.newContext({ viewport: null })).newPage();
+  watch(sharpPage);
+  await sharpPage.goto(`${base}?play=0`);
+  await sharpPage.waitForFunction(() => document.documentElement.dataset.state === "running", null, { timeout: 60000 });
+  await settled(300);
+  check(await sharpPage.evaluate(() => { const c = document.getElementById("canvas"); return devicePixelRatio === 2 && Math.abs(c.width - 2 * c.clientWidth) <= 1; }), "on a fine screen the pixels are coarse");
+  await sharp.close();
+  server.close();
+
+  check(complaints.length === 0, `the browser complains: ${complaints.join("; ")}`);
+  if (failed) process.exit(1);
+  console.error("smoke: the page holds");
+})().catch((error) => { console.error(`smoke: ${error.stack}`); process.exit(1); });
