@@ -130,11 +130,11 @@ impl Facet {
         self.corners.iter().sum::<DVec3>() / self.corners.len() as f64
     }
 
-    /// Whether its middle and all its corners, a little inwards, are hidden.
+    /// Whether bodies hide its middle and all its corners, a little inwards.
     fn is_hidden(&self, sight: &Sight) -> bool {
         let middle = self.middle();
-        let inner = self.corners.iter().map(|corner| corner.lerp(middle, 0.02));
-        inner.chain([middle]).all(|place| sight.hides(place, 1.0 + 1e-4))
+        let inner = self.corners.iter().map(|corner| corner.lerp(middle, 0.002));
+        inner.chain([middle]).all(|place| sight.is_behind_bodies(place, 1.0 + 1e-4))
     }
 
     /// Whether it lies before walls that would be drawn over it.

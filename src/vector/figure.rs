@@ -12,6 +12,9 @@ use crate::camera::{Camera, NEAR};
 use crate::frame::{Color, Frame, Pane, Walls};
 use crate::render::{self, Pixels, PlacedText, ScreenLayer};
 
+/// What transparent figures are mostly put on.
+const PAPER: Color = Color([1.0; 4]);
+
 /// The surfaces of a frame as pixels of the figure's size.
 #[derive(Debug, Default)]
 pub struct Surfaces {
@@ -72,7 +75,7 @@ pub(super) fn draw(frame: &Frame, surfaces: &Surfaces, options: &FigureOptions) 
         shapes.extend(picture(pixels, true, None));
     }
     for (view, overlay) in views.iter().zip(&overlays) {
-        let mut drawn = if is_flat { view.surfaces() } else { vec![] };
+        let mut drawn = if is_flat { view.surfaces(base.unwrap_or(PAPER)) } else { vec![] };
         dots::draw(view.pane, &view.sight, &view.projection, &mut drawn);
         if !is_hollow(view.pane) {
             drawn.extend(view.lines(Part::Hidden));
@@ -122,11 +125,11 @@ impl<'a> View<'a> {
         shapes
     }
 
-    /// The surfaces as areas, and of hollow ones the lines within.
-    fn surfaces(&self) -> Vec<Shape> {
+    /// The surfaces as areas over a ground of this colour, and of hollow ones the lines within.
+    fn surfaces(&self, ground: Color) -> Vec<Shape> {
         let (pane, projection) = (self.pane, &self.projection);
         let mut shapes = vec![];
-        sheets::draw(pane, projection, false, &mut shapes);
+        sheets::draw(pane, projection, ground, false, &mut shapes);
         shells::draw(pane, projection, Wall::Far, &mut shapes);
         let facets = facets::facets(pane, &self.sight, projection);
         let eye = pane.camera.eye().as_dvec3();
@@ -142,7 +145,7 @@ impl<'a> View<'a> {
         if shapes.len() > walls {
             shapes.extend(facets.iter().filter(|facet| facet.stands_out_of_walls(&self.sight)).map(Facet::shape));
         }
-        sheets::draw(pane, projection, true, &mut shapes);
+        sheets::draw(pane, projection, ground, true, &mut shapes);
         shapes
     }
 

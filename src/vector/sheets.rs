@@ -1,7 +1,8 @@
 //! Surfaces that take no light, as the floor and the shadow on it: of one colour, their opacity changing from place to place.
 //!
 //! They are drawn as the areas where their opacity is at least so much, one in the other, each adding what brings the one before it
-//! to its own: no seams shine between neighbours, which areas side by side would show.
+//! to its own: no seams shine between neighbours, which areas side by side would show. Readers round to whole levels after each,
+//! so that each changes what is seen by one: roundings to the same side would add up.
 
 use std::collections::HashMap;
 
@@ -11,15 +12,15 @@ use super::drawing::{Paint, Path, Shape};
 use super::lines::{Projection, simplified};
 use crate::frame::{Color, Mesh, Pane, Vertex};
 
-/// Steps from nothing to the most of the opacity.
-const STEPS: usize = 24;
+/// Most steps from nothing to the most of the opacity.
+const MOST_STEPS: f64 = 64.0;
 /// Places nearer than this part of a pixel are one.
 const GRID: f64 = 1e-3;
 /// Farthest (pixels) that a border passes a point that is left out.
 const TOLERANCE: f64 = 0.05;
 
-/// Adds those of a pane that lie beyond its bodies, seen from the eye, or before them.
-pub(super) fn draw(pane: &Pane, projection: &Projection, are_before: bool, shapes: &mut Vec<Shape>) {
+/// Adds those of a pane that lie beyond its bodies, seen from the eye, or before them, over a ground of this colour.
+pub(super) fn draw(pane: &Pane, projection: &Projection, ground: Color, are_before: bool, shapes: &mut Vec<Shape>) {
     let eye = pane.camera.eye();
     let opaque = pane.meshes.iter().filter(|mesh| mesh.opaque);
     let bodies: Vec<Vec3> = opaque.flat_map(|mesh| &mesh.vertices).map(|vertex| vertex.position).collect();
@@ -29,7 +30,7 @@ pub(super) fn draw(pane: &Pane, projection: &Projection, are_before: bool, shape
         // On the other side of it than the eye.
         let covers = plane.0.dot(middle - plane.1) * plane.0.dot(eye - plane.1) < 0.0;
         if (covers && !bodies.is_empty()) == are_before {
-            sheet(mesh, projection, shapes);
+            sheet(mesh, projection, ground, shapes);
         }
     }
 }
@@ -51,7 +52,7 @@ fn plane(mesh: &Mesh) -> Option<(Vec3, Vec3)> {
 /// A corner on the screen with its opacity.
 type Spot = (DVec2, f64);
 
-fn sheet(mesh: &Mesh, projection: &Projection, shapes: &mut Vec<Shape>) {
+fn sheet(mesh: &Mesh, projection: &Projection, ground: Color, shapes: &mut Vec<Shape>) {
     let spot = |vertex: &Vertex| {
         let at: DVec3 = vertex.position.as_dvec3();
         projection.pixel(at).map(|pixel| (pixel, f64::from(vertex.color.0[3])))
@@ -65,7 +66,9 @@ fn sheet(mesh: &Mesh, projection: &Projection, shapes: &mut Vec<Shape>) {
     let opacities = || triangles.iter().flatten().map(|spot| spot.1);
     let (least, most) = (opacities().fold(f64::INFINITY, f64::min), opacities().fold(0.0, f64::max));
     let Some(color) = mesh.vertices.first().map(|vertex| vertex.color).filter(|_| most > 0.0) else { return };
-    let steps = if most - least < 1e-3 { 1 } else { STEPS };
+    let contrast = color.0.iter().zip(ground.0).take(3).map(|(own, ground)| (own - ground).abs()).fold(0.0, f32::max);
+    let levels = (255.0 * f64::from(contrast) * (most - least)).round();
+    let steps = if most - least < 1e-3 { 1 } else { levels.clamp(1.0, MOST_STEPS) as usize };
     let mut covered = 0.0;
     for step in 0..steps {
         let threshold = least + (most - least) * step as f64 / steps as f64;

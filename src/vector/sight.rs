@@ -116,9 +116,13 @@ impl Sight {
 
     /// Whether a place is hidden that is drawn this far towards the eye beyond the pane's own lift.
     pub(super) fn hides(&self, place: DVec3, lift: f64) -> bool {
+        self.is_behind_bodies(place, lift) || self.hulls.iter().any(|hull| hull.is_before(place - self.eye, lift))
+    }
+
+    /// Whether an opaque body hides it.
+    pub(super) fn is_behind_bodies(&self, place: DVec3, lift: f64) -> bool {
         let p = place - self.eye;
-        let is_behind = |triangle: &Triangle| triangle.hides(p, DVec3::ZERO, lift).is_some();
-        self.triangles.iter().any(is_behind) || self.hulls.iter().any(|hull| hull.is_before(p, lift))
+        self.triangles.iter().any(|triangle| triangle.hides(p, DVec3::ZERO, lift).is_some())
     }
 }
 
