@@ -246,6 +246,12 @@ impl App {
                     self.session.say(outcome.unwrap_or_else(|why| why));
                 }
             }
+            Effect::WriteHandout => {
+                if let Some(window) = &mut self.window {
+                    let outcome = window.write_handout(&self.session);
+                    self.session.say(outcome.unwrap_or_else(|why| why));
+                }
+            }
             Effect::CopyText(text) | Effect::CopyLink(text) => {
                 if let Some(window) = &mut self.window {
                     window.copy(text);

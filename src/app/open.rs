@@ -207,6 +207,18 @@ impl OpenWindow {
         Ok(format!("Written to {}", path.display()))
     }
 
+    /// Writes the scene's pages, each to a new file; says where.
+    pub(super) fn write_handout(&mut self, session: &Session) -> Result<String, String> {
+        let mut last = None;
+        let pages = self.stage.begin_pages(session)?;
+        for (number, page) in pages.iter().enumerate() {
+            let bytes = page.wait(&self.stage)?;
+            last = Some(files::write_new(&format!("{} page {}", session.title(), number + 1), "png", &bytes)?);
+        }
+        let place = last.ok_or("There is no page to write.")?;
+        Ok(format!("{} pages, the last one: {}", pages.len(), place.display()))
+    }
+
     /// Puts a text on the clipboard.
     pub(super) fn copy(&mut self, text: String) {
         self.egui.set_clipboard_text(text);

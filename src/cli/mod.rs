@@ -5,6 +5,8 @@ mod failure;
 #[cfg(feature = "headless")]
 mod figure;
 mod flags;
+#[cfg(feature = "headless")]
+mod handout;
 mod lists;
 mod manual;
 mod output;
@@ -95,6 +97,13 @@ enum Command {
   dzhanibekov record flip -o - | ffplay -
   dzhanibekov record flip -o frame-{:05}.png --frames 0..300 --keep")]
     Record(Box<record::RecordArguments>),
+    #[cfg(feature = "headless")]
+    /// Write a scene's steps as pages: words, picture, question and graph
+    #[command(after_help = "Examples:
+  dzhanibekov handout flip -o flip.pdf
+  dzhanibekov handout flip --answer -o flip.pdf
+  dzhanibekov handout flip --theme dark -o flip.png    flip-1.png and so on")]
+    Handout(Box<handout::HandoutArguments>),
     /// Write the motion as numbers (CSV)
     #[command(after_help = "Examples:
   dzhanibekov trace flip --at 0,1,10
@@ -208,6 +217,8 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Shot(shot)) => picture::shot(&shot),
         #[cfg(feature = "headless")]
         Some(Command::Record(recording)) => record::run(&recording),
+        #[cfg(feature = "headless")]
+        Some(Command::Handout(handout)) => handout::run(&handout),
         Some(Command::Trace(trace)) => trace::run(&trace),
         #[cfg(feature = "report")]
         Some(Command::Report(report)) => report::run(&report),

@@ -72,12 +72,17 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     let picture = &arguments.picture;
     if is_page(&arguments.output) {
         #[cfg(feature = "window")]
-        let has_panel = arguments.panel;
+        let (has_panel, presenter) = (arguments.panel, arguments.presenter);
         #[cfg(not(feature = "window"))]
-        let has_panel = false;
+        let (has_panel, presenter) = (false, false);
         let beginning = Beginning { plays: false, has_panel };
         arguments.figure.check(None, &arguments.output)?;
-        return page(picture, &arguments.output, beginning, &[("--times", arguments.times.is_some())]);
+        return page(
+            picture,
+            &arguments.output,
+            beginning,
+            &[("--times", arguments.times.is_some()), ("--presenter", presenter)],
+        );
     }
     let (scene, words) = picture_scene(picture)?;
     let time = picture.time(&scene);
@@ -85,10 +90,11 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     let format = format(&arguments.output)?;
     arguments.figure.check(format, &arguments.output)?;
     #[cfg(feature = "window")]
-    if arguments.panel && format.is_some() {
+    if (arguments.panel || arguments.presenter) && format.is_some() {
         let output = arguments.output.display();
+        let flag = if arguments.presenter { "--presenter" } else { "--panel" };
         return Err(Failure::request(format!(
-            "--panel is drawn in pixels: give a name ending in .png instead of {output}"
+            "{flag} is drawn in pixels: give a name ending in .png instead of {output}"
         )));
     }
     if let Some(Moments(times)) = &arguments.times {

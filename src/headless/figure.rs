@@ -71,7 +71,7 @@ pub(super) fn figure_of(
 }
 
 /// The surfaces of a frame, drawn.
-fn surfaces(gpu: &Gpu, frame: &Frame, size: PictureSize) -> Result<Surfaces, HeadlessError> {
+pub(super) fn surfaces(gpu: &Gpu, frame: &Frame, size: PictureSize) -> Result<Surfaces, HeadlessError> {
     let mut studio = Studio::new(gpu, size.pixels)?;
     let mut drawn = |frame: Option<Frame>| frame.map(|frame| studio.draw(&frame)).transpose();
     let [below, above] = vector::surfaces(frame);
@@ -79,7 +79,7 @@ fn surfaces(gpu: &Gpu, frame: &Frame, size: PictureSize) -> Result<Surfaces, Hea
 }
 
 /// How large a figure is that has the size of this picture.
-fn figure_options(size: PictureSize, style: FigureStyle) -> FigureOptions {
+pub(super) fn figure_options(size: PictureSize, style: FigureStyle) -> FigureOptions {
     let marked = size.density.map(|density| size.pixels.map(|pixels| f64::from(pixels) / density * 72.0));
     let paper = size.paper.or(marked);
     let point = paper.map_or(SCREEN, |[width, _]| width / f64::from(size.pixels[0]));

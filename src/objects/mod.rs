@@ -21,6 +21,7 @@ mod layout;
 mod level_sets;
 mod mesh;
 mod notes;
+mod page;
 mod polhode;
 mod rings;
 mod separatrix;
@@ -47,6 +48,7 @@ pub use context::Context;
 pub use ghosts::method_color;
 pub use glide::Glide;
 pub use layout::{Cameras, Space, areas};
+pub use page::{PAGE, PAGE_ON_PAPER, build_page, page_time, pages};
 pub use theme::Palette;
 pub use words::{WORDS, Word, word_of};
 

@@ -19,6 +19,8 @@ pub enum Effect {
         /// With no background.
         transparent: bool,
     },
+    /// Writes the pages that [`Session::pages`](super::Session::pages) gives.
+    WriteHandout,
     /// Puts a text on the clipboard.
     CopyText(String),
     /// Puts a link on the clipboard, given from its `#` on: a page says its own address before it.

@@ -29,6 +29,7 @@ use crate::scene::{Scene, SceneError, SceneFile, Theme, View, ViewFile};
 use crate::sim::{FlipWatch, History, Simulation, Slowing};
 use crate::ui::{Command, Front, LARGER, Look, Pixels, Preview, Shown, Timeline};
 
+pub use crate::objects::PAGE;
 pub use command_line::slug;
 pub use effect::Effect;
 pub use remember::Remembered;
@@ -445,6 +446,7 @@ impl Session {
             Command::ToggleHelp => self.shown.help = !self.shown.help,
             Command::ToggleFullscreen => return vec![Effect::ToggleFullscreen],
             Command::Picture { transparent } => return vec![Effect::WritePicture { transparent }],
+            Command::Handout => return vec![Effect::WriteHandout],
             Command::CopyCommand => return self.copy_command(),
             Command::CopyLink => return self.copy_link(),
             Command::SaveScene => return self.save(),

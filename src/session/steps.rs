@@ -1,10 +1,32 @@
 //! Going through a scene that is told in steps, and changing one of them.
 
+use super::time::MOST_STEPS;
 use super::{Origin, Session};
-use crate::objects::Cameras;
+use crate::frame::Frame;
+use crate::objects::{self, Cameras};
 use crate::scene::{Scene, StepFile};
+use crate::sim::Simulation;
 
 impl Session {
+    /// The scene's steps as pages, with the answer where it is open. Each at its own time, or at this one where it is told as a whole.
+    ///
+    /// # Errors
+    /// A step that is none, or is too far away: one sentence.
+    pub fn pages(&self) -> Result<Vec<Frame>, String> {
+        let pages = objects::pages(&self.scene.file).map_err(|error| error.to_string())?;
+        let frames = pages.iter().map(|scene| {
+            let mut simulation = Simulation::new(scene);
+            let time = if scene.at.is_none() { self.sim.time() } else { objects::page_time(scene) };
+            if simulation.steps_to(time) > MOST_STEPS {
+                let time = crate::ui::numbers::significant(time, 4);
+                return Err(format!("A page at {time} s is too many steps away: the closed form goes there at once."));
+            }
+            simulation.go_to(time);
+            Ok(objects::build_page(scene, &simulation, self.shown.answer))
+        });
+        frames.collect()
+    }
+
     /// The next step; after the last the next scene.
     pub(super) fn next_step(&mut self) {
         let next = self.scene.at.map_or(0, |step| step + 1);

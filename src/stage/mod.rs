@@ -17,9 +17,10 @@ pub use offscreen::with_panels;
 pub use pacing::Pacer;
 pub use screen::Presented;
 
+use crate::frame::Frame;
 use crate::render::{Canvas, Gpu, GpuError, Pixels as Picture, Reading, png};
 use crate::scene::Theme;
-use crate::session::Session;
+use crate::session::{PAGE, Session};
 use crate::ui::{Command, Panels, Pixels, keys, style};
 use fit::{picture_point, place};
 use screen::Screen;
@@ -211,6 +212,19 @@ impl Stage {
         let canvas = Canvas::new(self.gpu(), [width, height]);
         let reading = self.screen.draw_on(&canvas, &frame);
         Pending { canvas, reading, transparent, remarks: session.remarks([width, height]) }
+    }
+
+    /// Likewise for the pages of the scene's handout.
+    ///
+    /// # Errors
+    /// What keeps the session from having them.
+    pub fn begin_pages(&mut self, session: &Session) -> Result<Vec<Pending>, String> {
+        let begin = |frame: &Frame| {
+            let canvas = Canvas::new(self.gpu(), PAGE);
+            let reading = self.screen.draw_on(&canvas, frame);
+            Pending { canvas, reading, transparent: false, remarks: vec![] }
+        };
+        Ok(session.pages()?.iter().map(begin).collect())
     }
 
     /// Redraws the picture where something in it changed since it was drawn. Gives its place on the screen (pixels).

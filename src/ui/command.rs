@@ -162,6 +162,8 @@ pub enum Command {
         /// With no background.
         transparent: bool,
     },
+    /// Writes the scene's steps as pages.
+    Handout,
     /// The command that draws this picture, to the clipboard.
     CopyCommand,
     /// The link of the scene as it is, to the clipboard.

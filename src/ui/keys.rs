@@ -157,6 +157,7 @@ pub static BINDINGS: &[Binding] = &[
         silent,
     )
     .on_page(None),
+    row("Ctrl+P", &[(Control, Key::P)], "write a handout: a page a step", Command::Handout, silent).on_page(None),
     row("Ctrl+C", &[(Control, Key::C)], "copy as command", Command::CopyCommand, silent),
     row("Ctrl+Z", &[(Control, Key::Z)], "take the last change back", Command::Undo, silent),
     row("Ctrl+Shift+Z", &[(ControlShift, Key::Z)], "make it again", Command::Redo, silent),

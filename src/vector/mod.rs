@@ -89,5 +89,18 @@ pub fn pdf(
     options: &FigureOptions,
     remarks: &[Remark],
 ) -> Result<Vec<u8>, EncodingError> {
-    pdf::write(&figure::draw(frame, surfaces, options), options, remarks)
+    pdf::write(&[figure::draw(frame, surfaces, options)], options, remarks)
+}
+
+/// Frames, each over its surfaces, as the pages of one PDF, all of the same size.
+///
+/// # Errors
+/// None but for pixels that cannot be encoded.
+pub fn pdf_of_pages(
+    pages: &[(&Frame, Surfaces)],
+    options: &FigureOptions,
+    remarks: &[Remark],
+) -> Result<Vec<u8>, EncodingError> {
+    let drawings: Vec<_> = pages.iter().map(|(frame, surfaces)| figure::draw(frame, surfaces, options)).collect();
+    pdf::write(&drawings, options, remarks)
 }

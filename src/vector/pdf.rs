@@ -1,4 +1,4 @@
-//! A drawing as PDF 1.7, of one page as large as the figure.
+//! Drawings as PDF 1.7, each a page as large as the figure.
 
 use std::collections::BTreeMap;
 
@@ -34,23 +34,30 @@ const FONTS: [&str; 2] = ["DZHANI+Roboto-Medium", "DZHANI+Hack-Regular"];
 /// How letters are numbered in both: by their place in the font.
 const ORDERING: SystemInfo<'_> = SystemInfo { registry: Str(b"Adobe"), ordering: Str(b"Identity"), supplement: 0 };
 
-/// Writes a drawing.
-pub(super) fn write(drawing: &Drawing, options: &FigureOptions, remarks: &[Remark]) -> Result<Vec<u8>, EncodingError> {
-    let [width, height] = drawing.size.map(f64::from);
+/// Writes drawings of the size that the options say.
+pub(super) fn write(
+    drawings: &[Drawing],
+    options: &FigureOptions,
+    remarks: &[Remark],
+) -> Result<Vec<u8>, EncodingError> {
+    let [width, height] = options.size.map(f64::from);
     let page_size = options.paper.unwrap_or([width * SCREEN, height * SCREEN]);
     let page_from_pixel = DAffine2::from_cols(
         DVec2::new(page_size[0] / width, 0.0),
         DVec2::new(0.0, -page_size[1] / height),
         DVec2::new(0.0, page_size[1]),
     );
-    let mut writer = Writer::new(page_from_pixel, drawing);
-    writer.content.transform(matrix(page_from_pixel)).set_line_join(LineJoinStyle::RoundJoin);
-    if let Some(color) = drawing.background {
-        let whole = Path::rectangle(DVec2::ZERO, DVec2::new(width, height));
-        writer.shape(&Shape::Fill { path: whole, even_odd: false, paint: Paint::Flat(color) })?;
-    }
-    for shape in &drawing.shapes {
-        writer.shape(shape)?;
+    let mut writer = Writer::new(page_from_pixel, drawings);
+    for drawing in drawings {
+        writer.content.transform(matrix(page_from_pixel)).set_line_join(LineJoinStyle::RoundJoin);
+        if let Some(color) = drawing.background {
+            let whole = Path::rectangle(DVec2::ZERO, DVec2::new(width, height));
+            writer.shape(&Shape::Fill { path: whole, even_odd: false, paint: Paint::Flat(color) })?;
+        }
+        for shape in &drawing.shapes {
+            writer.shape(shape)?;
+        }
+        writer.end_page();
     }
     Ok(writer.finish(page_size, remarks))
 }
@@ -67,9 +74,11 @@ enum Kind {
 struct Writer {
     pdf: Pdf,
     content: Content,
+    /// The contents of the pages that are written.
+    bodies: Vec<Ref>,
     last: i32,
     page_from_pixel: DAffine2,
-    /// What the page names: a letter of the kind and a number each.
+    /// What the pages name: a letter of the kind and a number each.
     named: BTreeMap<(Kind, i32), Ref>,
     /// The states of opacities: of pen and of areas, in thousandths.
     opacities: BTreeMap<u16, i32>,
@@ -77,14 +86,17 @@ struct Writer {
 }
 
 impl Writer {
-    fn new(page_from_pixel: DAffine2, drawing: &Drawing) -> Self {
+    fn new(page_from_pixel: DAffine2, drawings: &[Drawing]) -> Self {
         let mut letters = vec![];
-        collect(&drawing.shapes, &mut letters);
+        for drawing in drawings {
+            collect(&drawing.shapes, &mut letters);
+        }
         Self {
             pdf: Pdf::new(),
             content: Content::new(),
-            // The first three: catalogue, pages, page.
-            last: 3,
+            bodies: vec![],
+            // The first two: catalogue, pages.
+            last: 2,
             page_from_pixel,
             named: BTreeMap::new(),
             opacities: BTreeMap::new(),
@@ -405,19 +417,16 @@ impl Writer {
         fonts
     }
 
-    fn finish(mut self, [width, height]: [f64; 2], remarks: &[Remark]) -> Vec<u8> {
-        let fonts = self.write_fonts();
-        let [catalogue, pages, page] = [1, 2, 3].map(Ref::new);
-        let [body, information, metadata] = [(); 3].map(|()| self.next());
+    /// Ends a page; the next one begins.
+    fn end_page(&mut self) {
+        let body = self.next();
         let content = compress_to_vec_zlib(&std::mem::replace(&mut self.content, Content::new()).finish(), EFFORT);
         self.pdf.stream(body, &content).filter(Filter::FlateDecode);
-        let mut root = self.pdf.catalog(catalogue);
-        root.pages(pages);
-        if !remarks.is_empty() {
-            root.metadata(metadata);
-        }
-        root.finish();
-        self.pdf.pages(pages).kids([page]).count(1);
+        self.bodies.push(body);
+    }
+
+    /// Writes a page, which may name whatever any of them does.
+    fn write_page(&mut self, (page, pages): (Ref, Ref), body: Ref, [width, height]: [f64; 2], fonts: &[(usize, Ref)]) {
         let mut sheet = self.pdf.page(page);
         let size = [width, height].map(|points| ((points * 1000.0).round() / 1000.0) as f32);
         sheet.parent(pages).media_box(Rect::new(0.0, 0.0, size[0], size[1])).contents(body);
@@ -428,7 +437,7 @@ impl Writer {
         let mut resources = sheet.resources();
         if !fonts.is_empty() {
             let mut names = resources.fonts();
-            for (number, font) in fonts {
+            for &(number, font) in fonts {
                 names.pair(Name(format!("F{number}").as_bytes()), font);
             }
         }
@@ -448,6 +457,24 @@ impl Writer {
         }
         resources.finish();
         sheet.finish();
+    }
+
+    fn finish(mut self, [width, height]: [f64; 2], remarks: &[Remark]) -> Vec<u8> {
+        let fonts = self.write_fonts();
+        let [catalogue, pages] = [1, 2].map(Ref::new);
+        let [information, metadata] = [(); 2].map(|()| self.next());
+        let bodies = std::mem::take(&mut self.bodies);
+        let sheets: Vec<Ref> = bodies.iter().map(|_| self.next()).collect();
+        let mut root = self.pdf.catalog(catalogue);
+        root.pages(pages);
+        if !remarks.is_empty() {
+            root.metadata(metadata);
+        }
+        root.finish();
+        self.pdf.pages(pages).kids(sheets.iter().copied()).count(i32::try_from(sheets.len()).unwrap_or_default());
+        for (page, body) in sheets.into_iter().zip(bodies) {
+            self.write_page((page, pages), body, [width, height], &fonts);
+        }
         if !remarks.is_empty() {
             self.pdf.metadata(metadata, packet(remarks).as_bytes());
             let said = |keyword: &str| remarks.iter().find(|(name, _)| *name == keyword).map(|(_, text)| &**text);

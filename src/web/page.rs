@@ -319,6 +319,14 @@ impl Page {
                 let name = format!("{}.png", slug(self.session.title()));
                 self.pending.push((self.stage.begin_picture(&self.session, transparent), name));
             }
+            Effect::WriteHandout => match self.stage.begin_pages(&self.session) {
+                Ok(pages) => {
+                    let slug = slug(self.session.title());
+                    let named = pages.into_iter().enumerate();
+                    self.pending.extend(named.map(|(n, page)| (page, format!("{slug}-{}.png", n + 1))));
+                }
+                Err(why) => self.session.say(why),
+            },
             Effect::CopyText(text) => effects::copy(&self.inbox, text),
             Effect::CopyLink(fragment) => {
                 let address = dom::window().and_then(|window| window.location().href().ok()).unwrap_or_default();

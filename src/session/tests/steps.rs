@@ -170,3 +170,27 @@ fn a_picture_opens_at_what_it_shows() -> Result<(), SceneError> {
     }
     Ok(())
 }
+
+#[test]
+fn a_handout_has_a_page_a_step_and_the_answer_where_it_is_open() -> Result<(), SceneError> {
+    let mut driven = Driven::new("tilt")?;
+    driven.apply(Command::OpenText { name: "told.toml".to_owned(), text: TOLD.to_owned() });
+    assert_eq!(driven.apply(Command::Handout), [Effect::WriteHandout]);
+    let said = |driven: &Driven| -> Vec<String> {
+        let pages = driven.session.pages().unwrap_or_default();
+        let words = |page: &crate::frame::Frame| {
+            let notes = page.panes.iter().flat_map(|pane| &pane.notes);
+            notes.map(|note| note.text.as_str()).collect::<Vec<_>>().join("|")
+        };
+        pages.iter().map(words).collect()
+    };
+    let pages = said(&driven);
+    assert_eq!(pages.len(), 3);
+    assert!(pages[0].contains("one") && pages[1].contains("one") && pages[2].contains("three"), "{pages:?}");
+    // The first step says its time, which holds until another one does.
+    assert!(pages.iter().all(|page| page.contains("t = 2.00")), "{pages:?}");
+    assert!(pages[2].contains("why?") && !pages[1].contains("why?") && !pages[2].contains("because"), "{pages:?}");
+    driven.apply(Command::ToggleAnswer);
+    assert!(said(&driven)[2].contains("because"));
+    Ok(())
+}
