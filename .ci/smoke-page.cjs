@@ -297,6 +297,7 @@ const COUNT = () => {
   check(loads.every((address) => address.startsWith("data:") || address === `file://${ONE}`), `the page in one file loads ${loads.join(", ").slice(0, 300)}`);
   await page.screenshot({ path: `${SCRATCH}/one.png` });
   await page.goto(`file://${ONE}?embed=0&play=0`);
+  await page.waitForFunction(() => document.documentElement.dataset.state === "running", null, { timeout: 60000 }).catch(() => fail("the page in one file does not run"));
   check(await until(async () => !(await state(page)).playing), "the page in one file hears no wish");
   await alone.close();
 
