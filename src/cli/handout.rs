@@ -12,7 +12,7 @@ use dzhanibekov::render::png::Remark;
 use super::arguments::SceneArguments;
 use super::failure::Failure;
 use super::flags::ViewFlags;
-use super::output::check_place;
+use super::output::{check_place, ending};
 use super::picture::{followed, open_for};
 use super::quiet_driver::keep_quiet;
 use super::signal;
@@ -91,8 +91,7 @@ pub(super) fn run(arguments: &HandoutArguments) -> Result<(), Failure> {
 
 /// What a name asks for.
 fn format_of(output: &Path) -> Result<Format, Failure> {
-    let ending = output.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
-    match ending.as_deref() {
+    match ending(output).as_deref() {
         Some("pdf") => Ok(Format::Pdf),
         Some("png") => Ok(Format::Png),
         Some("svg") => Ok(Format::Svg),

@@ -19,6 +19,11 @@ impl From<FileError> for Failure {
     }
 }
 
+/// What a name ends in, without the dot and in small letters: the format that it asks for.
+pub(super) fn ending(output: &Path) -> Option<String> {
+    output.extension()?.to_str().map(str::to_lowercase)
+}
+
 /// What could not be written and why.
 pub(super) fn io_failure(path: &Path, error: io::Error) -> Failure {
     FileError::write(path, error).into()

@@ -8,7 +8,7 @@ use dzhanibekov::scene::{SceneFile, carried};
 
 use super::arguments::PictureArguments;
 use super::failure::Failure;
-use super::output::check_place;
+use super::output::{check_place, ending};
 use super::picture::picture_scene;
 
 /// Flags of a page.
@@ -30,7 +30,7 @@ pub(super) struct Beginning {
 
 /// Whether a name is that of a page.
 pub(super) fn is_page(output: &Path) -> bool {
-    output.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("html"))
+    ending(output).as_deref() == Some("html")
 }
 
 /// Writes the page that shows the scene of a picture, which was asked for with these flags besides.

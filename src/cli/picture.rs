@@ -17,7 +17,7 @@ use super::arguments::{Metadata, PictureArguments, number_list};
 use super::failure::{Failure, say};
 use super::figure::FigureArguments;
 use super::lists::{ListArguments, print, table};
-use super::output::check_place;
+use super::output::{check_place, ending};
 use super::page::{Beginning, is_page, page};
 use super::quiet_driver::keep_quiet;
 use super::sheet::sheet;
@@ -134,8 +134,7 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
 /// The format of a figure that a name says; none for a PNG. A name that says another format, or none, is refused. Where a
 /// stream goes has a name of its own.
 fn format(output: &Path) -> Result<Option<FigureFormat>, Failure> {
-    let ending = output.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
-    match ending.as_deref() {
+    match ending(output).as_deref() {
         Some("png") => Ok(None),
         Some("svg") => Ok(Some(FigureFormat::Svg)),
         Some("pdf") => Ok(Some(FigureFormat::Pdf)),

@@ -2,7 +2,7 @@
 
 use web_time::{Duration, Instant};
 
-use super::{Effect, Remembered, Session, Slide, built_in};
+use super::{Effect, Remembered, Session, built_in};
 use crate::objects;
 use crate::physics::{METHODS, MotionClass, poinsot, so3};
 use crate::scene::{BodyFile, Layout, Scene, SceneError, SceneFile, Theme, preset};
@@ -253,84 +253,6 @@ fn spin_energy_separatrix_and_poke_begin_other_motions_of_the_same_momentum() ->
 }
 
 #[test]
-fn the_pointer_picks_starts_on_the_sphere() -> Result<(), SceneError> {
-    let mut driven = Driven::new("flip")?;
-    driven.apply(Command::PlayPause);
-    let (middle, outside) = (Pixels::new(720.0, 240.0), Pixels::new(500.0, 20.0));
-    driven.apply(Command::Hover(Some(middle)));
-    assert!(driven.session.look(None, false).preview.is_some_and(|preview| !preview.path.is_empty()));
-    driven.apply(Command::Hover(Some(outside)));
-    assert!(driven.session.preview.is_none());
-    let before = driven.file().spin.clone();
-    driven.apply(Command::Pick(outside));
-    assert_eq!(driven.file().spin, before);
-    driven.session.say_nothing();
-    driven.apply(Command::Pick(middle));
-    assert!(driven.file().spin.omega.is_some() && driven.message().is_empty());
-    // The tip is now where the click was, to a pixel.
-    let tip = driven.session.tip().unwrap_or_default();
-    assert!(tip.distance(middle) < 1.0, "{tip}");
-    driven.apply(Command::DragTip(outside));
-    let dragged = driven.session.tip().unwrap_or_default();
-    assert!(dragged.distance(middle) > 50.0, "{dragged}");
-    driven.apply(Command::Undo);
-    driven.apply(Command::Undo);
-    assert_eq!(driven.file().spin, before);
-    Ok(())
-}
-
-#[test]
-fn every_change_can_be_taken_back_and_made_again() -> Result<(), SceneError> {
-    let mut driven = Driven::new("flip")?;
-    driven.apply(Command::Undo);
-    assert!(driven.message().contains("nothing to take back"));
-    let mut states = vec![(driven.session.title().to_owned(), driven.file().clone())];
-    for command in [
-        Command::SpinAxis(1),
-        Command::SetMethod("rk4"),
-        Command::Compare { method: "buss", is_on: true },
-        Command::ToggleTheme,
-        Command::Show { name: "herpolhode", is_shown: true },
-        Command::SetLayout(Layout::World),
-        Command::NextScene,
-        Command::SetRate(1.0),
-        Command::Reopen,
-        Command::OpenScene(4),
-        Command::Paste("title = \"mine\"\n[spin]\nrate = 3.0".to_owned()),
-    ] {
-        driven.apply(command.clone());
-        let now = (driven.session.title().to_owned(), driven.file().clone());
-        assert_ne!(states.last(), Some(&now), "{command:?} changed nothing");
-        states.push(now);
-    }
-    for state in states.iter().rev().skip(1) {
-        driven.apply(Command::Undo);
-        assert_eq!((driven.session.title(), driven.file()), (state.0.as_str(), &state.1));
-    }
-    for state in states.iter().skip(1) {
-        driven.apply(Command::Redo);
-        assert_eq!((driven.session.title(), driven.file()), (state.0.as_str(), &state.1));
-    }
-    driven.apply(Command::Redo);
-    assert!(driven.message().contains("nothing to make again"));
-    Ok(())
-}
-
-#[test]
-fn a_drag_of_a_slider_is_one_change() -> Result<(), SceneError> {
-    let mut driven = Driven::new("flip")?;
-    let before = driven.file().clone();
-    for tilt in 1..50 {
-        driven.now += Duration::from_millis(30);
-        driven.session.apply(Command::SetTilt(f64::from(tilt)), driven.now);
-    }
-    driven.apply(Command::Undo);
-    assert_eq!(*driven.file(), before);
-    assert!(!driven.session.look(None, false).can_undo.0);
-    Ok(())
-}
-
-#[test]
 fn scenes_are_gone_through_to_the_ends() -> Result<(), SceneError> {
     let mut driven = Driven::new("flip")?;
     let count = built_in().len();
@@ -345,29 +267,6 @@ fn scenes_are_gone_through_to_the_ends() -> Result<(), SceneError> {
     titles.dedup();
     assert_eq!(titles.len(), count);
     assert!(driven.session.is_playing());
-    Ok(())
-}
-
-#[test]
-fn a_folder_is_opened_with_what_is_broken_in_it() -> Result<(), SceneError> {
-    let mut driven = Driven::new("flip")?;
-    let good = Slide {
-        name: "talk/a.toml".to_owned(),
-        file: Ok(SceneFile { title: "One".to_owned(), ..SceneFile::default() }),
-    };
-    let bad = Slide { name: "talk/b.toml".to_owned(), file: Err("line 3: no number".to_owned()) };
-    assert_eq!(driven.apply(Command::OpenPlace("talk".to_owned())), [Effect::Open("talk".to_owned())]);
-    driven.session.open_slides("talk", Ok(vec![good.clone(), bad]));
-    assert_eq!((driven.session.title(), driven.message()), ("One", "2 scenes of talk"));
-    driven.apply(Command::NextScene);
-    assert_eq!((driven.session.title(), driven.file().text.as_str()), ("b", "line 3: no number"));
-    // Those built in follow.
-    driven.apply(Command::NextScene);
-    assert_eq!(driven.session.opened.name, built_in()[0].name);
-    driven.session.open_slides("nowhere", Err("nowhere: there is nothing".to_owned()));
-    assert_eq!(driven.message(), "nowhere: there is nothing");
-    driven.session.open_slides("talk/a.toml", Ok(vec![good]));
-    assert_eq!((driven.session.title(), driven.session.opened.place), ("One", Some(0)));
     Ok(())
 }
 
@@ -558,29 +457,6 @@ fn messages_go_by_themselves() -> Result<(), SceneError> {
     driven.session.say("Another.");
     driven.session.say_nothing();
     assert!(driven.message().is_empty());
-    Ok(())
-}
-
-#[test]
-fn a_file_that_changes_is_read_again() -> Result<(), SceneError> {
-    let mut driven = Driven::new("flip")?;
-    let slide =
-        |text: &str| Slide { name: "talk/a.toml".to_owned(), file: SceneFile::parse(text).map_err(|e| e.to_string()) };
-    driven.session.open_slides("talk", Ok(vec![slide("title = 'One'")]));
-    driven.session.refresh("talk", Ok(vec![slide("title = 'One'\n[spin]\nrate = 2.0")]), driven.now);
-    assert_eq!((driven.file().spin.rate, driven.message()), (Some(2.0), "talk/a.toml was changed, and read again."));
-    // One that is broken for a moment says so and leaves what is shown.
-    driven.session.refresh("talk", Ok(vec![slide("titel = 'One'")]), driven.now);
-    assert!(driven.message().contains("talk/a.toml: ") && driven.file().spin.rate == Some(2.0), "{}", driven.message());
-    let new = Slide {
-        name: "talk/b.toml".to_owned(),
-        file: Ok(SceneFile { title: "New".to_owned(), ..SceneFile::default() }),
-    };
-    driven.session.refresh("talk", Ok(vec![slide("title = 'One'\n[spin]\nrate = 2.0"), new]), driven.now);
-    assert_eq!(driven.session.titles[..2], ["One".to_owned(), "New".to_owned()]);
-    assert_eq!(driven.session.opened.place, Some(0));
-    driven.session.refresh("talk", Err("talk: gone".to_owned()), driven.now);
-    assert_eq!(driven.message(), "talk: gone");
     Ok(())
 }
 

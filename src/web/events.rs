@@ -6,8 +6,8 @@ use egui::{Event, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPh
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{
-    ClipboardEvent, DragEvent, File, FileList, HtmlCanvasElement, HtmlInputElement, KeyboardEvent, MessageEvent,
-    PointerEvent, ResizeObserver, ResizeObserverBoxOptions, ResizeObserverEntry, ResizeObserverOptions,
+    ClipboardEvent, DataTransfer, DragEvent, File, FileList, HtmlCanvasElement, HtmlInputElement, KeyboardEvent,
+    MessageEvent, PointerEvent, ResizeObserver, ResizeObserverBoxOptions, ResizeObserverEntry, ResizeObserverOptions,
     ResizeObserverSize, WheelEvent,
 };
 
@@ -131,13 +131,7 @@ fn clipboard(inbox: &Rc<Inbox>) {
     let inbox = Rc::clone(inbox);
     dom::listen(&document, "paste", move |event: ClipboardEvent| {
         event.prevent_default();
-        let Some(data) = event.clipboard_data() else { return };
-        if let Some(files) = data.files().filter(|files| files.length() > 0) {
-            return open_files(&inbox, &files);
-        }
-        if let Ok(text) = data.get_data("text") {
-            inbox.put(Happening::Event(Event::Paste(text)));
-        }
+        take(&inbox, event.clipboard_data(), |text| Happening::Event(Event::Paste(text)));
     });
 }
 
@@ -157,14 +151,19 @@ fn drops(inbox: &Rc<Inbox>) {
     let inbox = Rc::clone(inbox);
     dom::listen(&window, "drop", move |event: DragEvent| {
         event.prevent_default();
-        let Some(data) = event.data_transfer() else { return };
-        if let Some(files) = data.files().filter(|files| files.length() > 0) {
-            return open_files(&inbox, &files);
-        }
-        if let Ok(text) = data.get_data("text") {
-            inbox.put(Happening::Command(Command::Paste(text)));
-        }
+        take(&inbox, event.data_transfer(), |text| Happening::Command(Command::Paste(text)));
     });
+}
+
+/// Opens the files that are handed over, or else makes of their text what happens.
+fn take(inbox: &Rc<Inbox>, data: Option<DataTransfer>, told: impl Fn(String) -> Happening) {
+    let Some(data) = data else { return };
+    if let Some(files) = data.files().filter(|files| files.length() > 0) {
+        return open_files(inbox, &files);
+    }
+    if let Ok(text) = data.get_data("text") {
+        inbox.put(told(text));
+    }
 }
 
 /// Opens what a file button chose.

@@ -24,7 +24,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::arguments::PictureArguments;
 use super::failure::{Failure, say};
-use super::output::{check_place, io_failure};
+use super::output::{check_place, ending, io_failure};
 use super::page::{Beginning, is_page, page};
 use super::picture::{followed, notes, open, options, picture_scene};
 use super::quiet_driver::keep_quiet;
@@ -225,8 +225,7 @@ fn samples(gpu: &Gpu, scene: &Scene, recording: &Recording) -> Result<Vec<Pixels
 fn format_of(arguments: &RecordArguments) -> Result<Format, Failure> {
     let output = &arguments.output;
     let name = output.display();
-    let extension = output.extension().and_then(|extension| extension.to_str()).map(str::to_lowercase);
-    let format = match extension.as_deref() {
+    let format = match ending(output).as_deref() {
         _ if output == Path::new("-") => Format::Stream,
         Some("png") => Format::Numbered(Pattern::parse(output)?),
         Some("gif") => Format::Gif,

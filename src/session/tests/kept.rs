@@ -248,3 +248,100 @@ fn a_message_stays_as_long_as_it_takes_to_read() -> Result<(), SceneError> {
     }
     Ok(())
 }
+
+#[test]
+fn every_change_can_be_taken_back_and_made_again() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::Undo);
+    assert!(driven.message().contains("nothing to take back"));
+    let mut states = vec![(driven.session.title().to_owned(), driven.file().clone())];
+    for command in [
+        Command::SpinAxis(1),
+        Command::SetMethod("rk4"),
+        Command::Compare { method: "buss", is_on: true },
+        Command::ToggleTheme,
+        Command::Show { name: "herpolhode", is_shown: true },
+        Command::SetLayout(Layout::World),
+        Command::NextScene,
+        Command::SetRate(1.0),
+        Command::Reopen,
+        Command::OpenScene(4),
+        Command::Paste("title = \"mine\"\n[spin]\nrate = 3.0".to_owned()),
+    ] {
+        driven.apply(command.clone());
+        let now = (driven.session.title().to_owned(), driven.file().clone());
+        assert_ne!(states.last(), Some(&now), "{command:?} changed nothing");
+        states.push(now);
+    }
+    for state in states.iter().rev().skip(1) {
+        driven.apply(Command::Undo);
+        assert_eq!((driven.session.title(), driven.file()), (state.0.as_str(), &state.1));
+    }
+    for state in states.iter().skip(1) {
+        driven.apply(Command::Redo);
+        assert_eq!((driven.session.title(), driven.file()), (state.0.as_str(), &state.1));
+    }
+    driven.apply(Command::Redo);
+    assert!(driven.message().contains("nothing to make again"));
+    Ok(())
+}
+
+#[test]
+fn a_drag_of_a_slider_is_one_change() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    let before = driven.file().clone();
+    for tilt in 1..50 {
+        driven.now += Duration::from_millis(30);
+        driven.session.apply(Command::SetTilt(f64::from(tilt)), driven.now);
+    }
+    driven.apply(Command::Undo);
+    assert_eq!(*driven.file(), before);
+    assert!(!driven.session.look(None, false).can_undo.0);
+    Ok(())
+}
+
+#[test]
+fn a_file_that_changes_is_read_again() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    let slide =
+        |text: &str| Slide { name: "talk/a.toml".to_owned(), file: SceneFile::parse(text).map_err(|e| e.to_string()) };
+    driven.session.open_slides("talk", Ok(vec![slide("title = 'One'")]));
+    driven.session.refresh("talk", Ok(vec![slide("title = 'One'\n[spin]\nrate = 2.0")]), driven.now);
+    assert_eq!((driven.file().spin.rate, driven.message()), (Some(2.0), "talk/a.toml was changed, and read again."));
+    // One that is broken for a moment says so and leaves what is shown.
+    driven.session.refresh("talk", Ok(vec![slide("titel = 'One'")]), driven.now);
+    assert!(driven.message().contains("talk/a.toml: ") && driven.file().spin.rate == Some(2.0), "{}", driven.message());
+    let new = Slide {
+        name: "talk/b.toml".to_owned(),
+        file: Ok(SceneFile { title: "New".to_owned(), ..SceneFile::default() }),
+    };
+    driven.session.refresh("talk", Ok(vec![slide("title = 'One'\n[spin]\nrate = 2.0"), new]), driven.now);
+    assert_eq!(driven.session.titles[..2], ["One".to_owned(), "New".to_owned()]);
+    assert_eq!(driven.session.opened.place, Some(0));
+    driven.session.refresh("talk", Err("talk: gone".to_owned()), driven.now);
+    assert_eq!(driven.message(), "talk: gone");
+    Ok(())
+}
+
+#[test]
+fn a_folder_is_opened_with_what_is_broken_in_it() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    let good = Slide {
+        name: "talk/a.toml".to_owned(),
+        file: Ok(SceneFile { title: "One".to_owned(), ..SceneFile::default() }),
+    };
+    let bad = Slide { name: "talk/b.toml".to_owned(), file: Err("line 3: no number".to_owned()) };
+    assert_eq!(driven.apply(Command::OpenPlace("talk".to_owned())), [Effect::Open("talk".to_owned())]);
+    driven.session.open_slides("talk", Ok(vec![good.clone(), bad]));
+    assert_eq!((driven.session.title(), driven.message()), ("One", "2 scenes of talk"));
+    driven.apply(Command::NextScene);
+    assert_eq!((driven.session.title(), driven.file().text.as_str()), ("b", "line 3: no number"));
+    // Those built in follow.
+    driven.apply(Command::NextScene);
+    assert_eq!(driven.session.opened.name, built_in()[0].name);
+    driven.session.open_slides("nowhere", Err("nowhere: there is nothing".to_owned()));
+    assert_eq!(driven.message(), "nowhere: there is nothing");
+    driven.session.open_slides("talk/a.toml", Ok(vec![good]));
+    assert_eq!((driven.session.title(), driven.session.opened.place), ("One", Some(0)));
+    Ok(())
+}

@@ -178,3 +178,30 @@ fn a_drag_turns_the_view_that_it_begins_in_by_its_share_of_the_smaller_side() ->
     }
     Ok(())
 }
+
+#[test]
+fn the_pointer_picks_starts_on_the_sphere() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::PlayPause);
+    let (middle, outside) = (Pixels::new(720.0, 240.0), Pixels::new(500.0, 20.0));
+    driven.apply(Command::Hover(Some(middle)));
+    assert!(driven.session.look(None, false).preview.is_some_and(|preview| !preview.path.is_empty()));
+    driven.apply(Command::Hover(Some(outside)));
+    assert!(driven.session.preview.is_none());
+    let before = driven.file().spin.clone();
+    driven.apply(Command::Pick(outside));
+    assert_eq!(driven.file().spin, before);
+    driven.session.say_nothing();
+    driven.apply(Command::Pick(middle));
+    assert!(driven.file().spin.omega.is_some() && driven.message().is_empty());
+    // The tip is now where the click was, to a pixel.
+    let tip = driven.session.tip().unwrap_or_default();
+    assert!(tip.distance(middle) < 1.0, "{tip}");
+    driven.apply(Command::DragTip(outside));
+    let dragged = driven.session.tip().unwrap_or_default();
+    assert!(dragged.distance(middle) > 50.0, "{dragged}");
+    driven.apply(Command::Undo);
+    driven.apply(Command::Undo);
+    assert_eq!(driven.file().spin, before);
+    Ok(())
+}
