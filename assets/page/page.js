@@ -58,6 +58,9 @@
 
   const begin = async () => {
     if (typeof WebAssembly !== "object") return fail("This browser runs no WebAssembly: take a current one.");
+    // The smallest module that uses a register of 128 bits.
+    const wide = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11];
+    if (!WebAssembly.validate(new Uint8Array(wide))) return fail("This browser is too old for this page (its WebAssembly has no SIMD): take a current one.");
     if (typeof WebGL2RenderingContext === "undefined") {
       return fail("This browser draws no 3D (it has no WebGL 2): take a current one, or switch on its graphics acceleration.");
     }
