@@ -5,12 +5,11 @@ use egui::{Align, Frame, Label, Layout, Margin, Panel, RichText, Ui, Vec2};
 
 use super::icons::{Icon, icon_button};
 use super::keys::keys_of;
+use super::style::FINGER;
 use super::{Command, Look, style, timeline, transport};
 
 /// A screen with a side below these (points) is one.
 const SMALLEST_DESK: Vec2 = Vec2::new(640.0, 400.0);
-/// Least side of what a finger meets (points).
-const FINGER: f32 = 44.0;
 /// Part of the height that the sheet takes where the screen stands upright.
 const SHEET: f32 = 0.46;
 /// Least part of the height that is kept for the picture.

@@ -1,8 +1,8 @@
 //! The sheet of keys.
 
-use egui::{Align2, Grid, Key, Label, RichText, ScrollArea, Ui, Window};
+use egui::{Align2, Button, Grid, Key, RichText, ScrollArea, Ui, Window};
 
-use super::keys::BINDINGS;
+use super::keys::{BINDINGS, Binding};
 use super::widgets::explained;
 use super::{Command, Front, Look};
 use crate::objects::WORDS;
@@ -25,7 +25,7 @@ pub(super) fn show(ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             let columns = if room.x < TWO_COLUMNS { 1 } else { 2 };
             let most = (room.y - FRAME).max(60.0);
             ScrollArea::vertical().max_height(most).min_scrolled_height(most).show(ui, |ui| {
-                sheet(ui, look, columns);
+                sheet(ui, look, columns, commands);
             });
         });
     if !open {
@@ -33,9 +33,9 @@ pub(super) fn show(ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     }
 }
 
-fn sheet(ui: &mut Ui, look: &Look<'_>, columns: usize) {
+fn sheet(ui: &mut Ui, look: &Look<'_>, columns: usize, commands: &mut Vec<Command>) {
     ui.horizontal_top(|ui| {
-        let bound: Vec<_> = BINDINGS.iter().filter_map(|row| Some((row, row.keys(look.front)?))).collect();
+        let bound: Vec<_> = BINDINGS.iter().filter_map(|row| Some((row, keys(row, look.front)?))).collect();
         for (column, rows) in bound.chunks(bound.len().div_ceil(columns)).enumerate() {
             if column > 0 {
                 ui.add_space(24.0);
@@ -43,7 +43,9 @@ fn sheet(ui: &mut Ui, look: &Look<'_>, columns: usize) {
             Grid::new(("keys", column)).num_columns(3).spacing([14.0, 6.0]).show(ui, |ui| {
                 for (binding, keys) in rows {
                     ui.label(RichText::new(*keys).monospace().strong());
-                    ui.add(Label::new(binding.does).extend());
+                    if ui.add(Button::new(binding.does).frame(false)).clicked() {
+                        commands.push(binding.command.clone());
+                    }
                     if let Some(state) = (binding.state)(look) {
                         ui.label(RichText::new(state).weak());
                     }
@@ -66,6 +68,11 @@ fn sheet(ui: &mut Ui, look: &Look<'_>, columns: usize) {
     for line in words(look.front) {
         ui.label(*line);
     }
+}
+
+/// The keys of a row. What has none on a page is there too, to be pressed; but the keyboard's way into the panel is the browser's.
+fn keys(row: &Binding, front: Front) -> Option<&'static str> {
+    row.keys(front).or_else(|| (front == Front::Page && row.command != Command::FocusPanel).then_some(""))
 }
 
 /// What there is besides keys.

@@ -31,7 +31,8 @@ pub struct Binding {
     on_page: Option<&'static str>,
     /// What they do.
     pub does: &'static str,
-    command: Command,
+    /// What they ask for.
+    pub command: Command,
     /// How it stands now, where that is worth saying.
     pub state: fn(&Look<'_>) -> Option<&'static str>,
 }

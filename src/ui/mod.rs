@@ -69,8 +69,9 @@ pub struct Panels {
     focus_wanted: bool,
     /// What had it last.
     last_focus: Option<egui::Id>,
-    /// When the pointer was last there, or a finger (s).
+    /// When the pointer was last at work on a part of another page, or a finger (s), and whether it is over the strip of time there.
     last_pointer: Option<f64>,
+    strip_is_hovered: bool,
 }
 
 impl Panels {
@@ -112,7 +113,7 @@ impl Panels {
             strip.exact_size(height).show(ui, |ui| self.charts.ui(ui, look, &mut commands));
         }
         if look.shown.slide {
-            slide::show(ui, look, ui.available_height() - picture);
+            slide::show(ui, look, ui.available_height() - picture, &mut commands);
         }
         let picture = self.viewport.ui(ui, look, &mut commands);
         if is_part {
@@ -199,28 +200,34 @@ impl Panels {
 }
 
 impl Panels {
-    /// The strip of time over a picture that is part of another page, for as long as someone is there.
+    /// The strip of time over a picture that is part of another page, for as long as someone is at work there.
     fn part_ui(&mut self, ui: &Ui, picture: Rect, look: &Look<'_>, commands: &mut Vec<Command>) {
-        let (now, is_there) = ui.input(|input| (input.time, input.pointer.has_pointer()));
+        let (now, has_pointer, rests) = ui.input(|input| {
+            (input.time, input.pointer.has_pointer(), f64::from(input.pointer.time_since_last_movement()))
+        });
+        // A pointer that lies still is at work on the strip alone: a page is not always told that it went away.
+        let is_there = has_pointer && (rests < LINGERS || self.strip_is_hovered);
         if is_there {
-            self.last_pointer = Some(now);
+            self.last_pointer = Some(if self.strip_is_hovered { now } else { now - rests });
         }
+        self.strip_is_hovered = false;
         let Some(left) = self.last_pointer.map(|last| last + LINGERS - now).filter(|left| *left > 0.0) else { return };
         ui.ctx().request_repaint_after_secs(left as f32);
         let area = egui::Area::new(egui::Id::unique("time in another page"))
             .order(egui::Order::Foreground)
             .pivot(egui::Align2::CENTER_BOTTOM)
             .fixed_pos(picture.center_bottom() - egui::vec2(0.0, 8.0));
-        area.show(ui.ctx(), |ui| {
+        let shown = area.show(ui.ctx(), |ui| {
             Frame::window(ui.style()).inner_margin(Margin::symmetric(10, 4)).show(ui, |ui| {
                 ui.set_width((picture.width() - 40.0).clamp(200.0, 560.0));
                 hand::strip_inside(ui, look, commands);
             });
         });
+        self.strip_is_hovered = shown.response.contains_pointer();
     }
 }
 
-/// How long (s) the strip stays in another page after the pointer or the finger is gone.
+/// How long (s) the strip stays in another page after the pointer or the finger is gone or lies still.
 const LINGERS: f64 = 3.0;
 
 /// The margins of a strip below the picture.
@@ -230,8 +237,10 @@ fn strip_frame(bottom: i8) -> Frame {
 
 fn transport_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let strip = Panel::bottom("transport").frame(strip_frame(4)).show_separator_line(false);
-    let row = if transport::is_narrow(ui.available_width() - 32.0) { transport::SECOND_ROW + 6.0 } else { 0.0 };
-    strip.exact_size(98.0 + row).show(ui, |ui| transport::show(ui, look, commands));
+    let row = if transport::is_narrow(ui, ui.available_width() - 32.0) { transport::SECOND_ROW + 6.0 } else { 0.0 };
+    // Fingers have a higher bar, and higher buttons below it.
+    let more = if style::is_for_fingers(ui) { 8.0 } else { 0.0 };
+    strip.exact_size(98.0 + row + more).show(ui, |ui| transport::show(ui, look, commands));
 }
 
 fn scene_picker(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) -> egui::Response {

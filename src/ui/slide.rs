@@ -1,6 +1,7 @@
 //! The scene as a slide: its title, a few sentences and a question to the class, above the picture.
 
-use egui::{Color32, FontId, Frame, Margin, Panel, RichText, Ui};
+use egui::accesskit::Role;
+use egui::{Color32, CursorIcon, FontId, Frame, Label, Margin, Panel, RichText, Sense, Ui, WidgetInfo};
 
 use super::keys::keys_of;
 use super::{Command, Look, style};
@@ -20,7 +21,8 @@ const FADED: f32 = 0.45;
 const MOST_MISSING: usize = 12;
 
 /// The title, the words and the question, where the scene says anything, and only as many of its parts as this height (points) holds.
-pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
+/// A press on the question opens its answer, for there may be no key to do so.
+pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32, commands: &mut Vec<Command>) {
     let file = &look.scene.file;
     let text_color = ui.visuals().text_color();
     // The words speak of the scene as it was opened: changed, it may do something else.
@@ -43,7 +45,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
     let parts = [
         (title, title_size, text_color),
         (lines(file.text_at(at)), words_size, text_color.gamma_multiply(faded)),
-        (asked(&question, look), words_size, accent.gamma_multiply(faded)),
+        (asked(&question, look, style::is_for_fingers(ui)), words_size, accent.gamma_multiply(faded)),
         (answer, words_size, text_color.gamma_multiply(faded)),
         (missing(ui, file), WORDS, style::warning(ui.visuals().dark_mode)),
     ];
@@ -54,6 +56,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
         height <= most
     });
     let fitting: Vec<_> = fitting.collect();
+    let is_question = |text: &str| !question.is_empty() && text.starts_with(&question) && has_answer(look);
     if fitting.is_empty() {
         return;
     }
@@ -62,19 +65,35 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32) {
     Panel::top("slide").frame(frame).show_separator_line(false).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = BETWEEN;
         for (text, size, color) in fitting {
-            let text = RichText::new(text).size(*size).color(*color);
-            ui.label(if *size == title_size { text.strong() } else { text });
+            let rich = RichText::new(text).size(*size).color(*color);
+            if *size == title_size {
+                ui.label(rich.strong());
+            } else if is_question(text) {
+                let pressed = ui.add(Label::new(rich).sense(Sense::click()));
+                pressed.widget_info(|| WidgetInfo::labeled(Role::Button, true, text));
+                if pressed.on_hover_cursor(CursorIcon::PointingHand).clicked() {
+                    commands.push(Command::ToggleAnswer);
+                }
+            } else {
+                ui.label(rich);
+            }
         }
     });
 }
 
-/// The question, with the key that opens its answer where there is one.
-fn asked(question: &str, look: &Look<'_>) -> String {
-    let has_answer = !look.scene.file.answer.trim().is_empty() && !look.shown.answer;
-    match keys_of(&Command::ToggleAnswer, look.front).and_then(|keys| keys.split(',').next()) {
-        Some(key) if has_answer && !question.is_empty() => format!("{question}  ({key}: the answer)"),
-        _ => question.to_owned(),
+/// The question, with what opens its answer where there is one.
+fn asked(question: &str, look: &Look<'_>, for_fingers: bool) -> String {
+    let keys = keys_of(&Command::ToggleAnswer, look.front).filter(|_| !for_fingers);
+    let way = keys.and_then(|keys| keys.split(',').next()).unwrap_or("tap");
+    if has_answer(look) && !look.shown.answer && !question.is_empty() {
+        format!("{question}  ({way}: the answer)")
+    } else {
+        question.to_owned()
     }
+}
+
+fn has_answer(look: &Look<'_>) -> bool {
+    !look.scene.file.answer.trim().is_empty()
 }
 
 /// A text with the line breaks that were written, and no space around them.

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use egui::{
-    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Stroke, TextStyle, Visuals,
-    vec2,
+    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Stroke, TextStyle, Ui,
+    Visuals, vec2,
 };
 
 use crate::scene;
@@ -49,12 +49,21 @@ pub fn install(ctx: &Context) {
     }
 }
 
+/// Least side of what a finger meets (points).
+pub const FINGER: f32 = 44.0;
+
+/// Whether everything is as large as fingers want it.
+#[must_use]
+pub fn is_for_fingers(ui: &Ui) -> bool {
+    ui.spacing().interact_size.y >= FINGER
+}
+
 /// Makes everything as large as fingers want it.
 pub fn for_fingers(ctx: &Context) {
     for theme in [egui::Theme::Dark, egui::Theme::Light] {
         ctx.style_mut_of(theme, |style| {
             let spacing = &mut style.spacing;
-            spacing.interact_size = vec2(44.0, 44.0);
+            spacing.interact_size = vec2(FINGER, FINGER);
             spacing.button_padding = vec2(10.0, 8.0);
             spacing.icon_width = 22.0;
             spacing.icon_width_inner = 12.0;

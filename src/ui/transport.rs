@@ -17,6 +17,8 @@ const FLIPS_WIDTH: f32 = 250.0;
 /// Room that the buttons take, with the clock behind them, and height of the second row where there is one (points).
 const BUTTONS_WIDTH: f32 = 440.0;
 pub(super) const SECOND_ROW: f32 = 44.0;
+/// How much more room the buttons take where fingers press them, two more with them (points).
+const FINGERS_WIDTH: f32 = 156.0;
 /// How long before a flip (s of real time) its countdown lights up.
 const SOON: f64 = 1.0;
 
@@ -25,15 +27,22 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     timeline::show(ui, look, commands);
     ui.add_space(2.0);
     let clock = &look.sim.clock;
-    let is_narrow = is_narrow(ui.available_width());
+    let is_narrow = is_narrow(ui, ui.available_width());
+    let for_fingers = style::is_for_fingers(ui);
+    let least = if for_fingers { style::FINGER } else { 0.0 };
     ui.horizontal(|ui| {
-        ui.set_height(42.0);
+        ui.set_height(42f32.max(least));
         let mut button = |ui: &mut Ui, icon, name: &str, size, state: Option<bool>, command: Command| {
             let name = keys_of(&command, look.front).map_or(name.to_owned(), |keys| format!("{name} ({keys})"));
-            if icon_button(ui, icon, &name, size, state).clicked() {
+            if icon_button(ui, icon, &name, f32::max(size, least), state).clicked() {
                 commands.push(command);
             }
         };
+        // Where there is a keyboard, its keys go on and back.
+        if for_fingers {
+            button(ui, Icon::Before, "the step or scene before", 0.0, None, Command::PreviousStep);
+            button(ui, Icon::After, "the next step or scene", 0.0, None, Command::NextStep);
+        }
         button(ui, Icon::Restart, "restart", 34.0, None, Command::Restart);
         button(ui, Icon::StepBack, "one step back", 34.0, None, Command::Step(-1));
         let (icon, name) = if clock.paused { (Icon::Play, "play") } else { (Icon::Pause, "pause") };
@@ -62,8 +71,9 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
 }
 
 /// Whether a strip of this width (points) has no room for everything in one row.
-pub(super) fn is_narrow(width: f32) -> bool {
-    width < BUTTONS_WIDTH + FLIPS_WIDTH + SPEED_WIDTH
+pub(super) fn is_narrow(ui: &Ui, width: f32) -> bool {
+    let more = if style::is_for_fingers(ui) { FINGERS_WIDTH } else { 0.0 };
+    width < BUTTONS_WIDTH + more + FLIPS_WIDTH + SPEED_WIDTH
 }
 
 /// The time, with as many decimals as one step shows in.

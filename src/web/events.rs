@@ -12,6 +12,7 @@ use web_sys::{
 };
 
 use super::inbox::{Happening, Inbox};
+use super::options::{LIGHT, REDUCED_MOTION};
 use super::touch::{Finger, Phase};
 use super::{dom, keyboard, text_input};
 use crate::scene::{carried, link};
@@ -255,6 +256,12 @@ fn surroundings(inbox: &Rc<Inbox>) {
     on("popstate", || Happening::Address);
     on("hashchange", || Happening::Address);
     on("resize", || Happening::Event(Event::WindowFocused(true)));
+    for query in [LIGHT, REDUCED_MOTION] {
+        let to = Rc::clone(inbox);
+        if let Ok(Some(media)) = window.match_media(query) {
+            dom::listen(&media, "change", move |_: web_sys::Event| to.put(Happening::Wishes));
+        }
+    }
     let to = Rc::clone(inbox);
     dom::listen(&document, "fullscreenchange", move |_: web_sys::Event| to.request());
     let to = Rc::clone(inbox);

@@ -25,6 +25,8 @@ pub(super) enum Happening {
     Message(web_sys::MessageEvent),
     /// What had the keyboard in the page has it no more.
     LetGo,
+    /// What people want of all pages is another thing now: dark or light, less motion.
+    Wishes,
     /// A sentence to be said.
     Say(String),
 }

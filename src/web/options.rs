@@ -6,6 +6,9 @@ use crate::scene::Theme;
 /// Whether people want less motion.
 pub(super) const REDUCED_MOTION: &str = "(prefers-reduced-motion: reduce)";
 
+/// Whether people want it light.
+pub(super) const LIGHT: &str = "(prefers-color-scheme: light)";
+
 /// What stands after the `?` of the address.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(clippy::struct_excessive_bools, reason = "each is asked for by itself")]

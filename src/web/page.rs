@@ -12,7 +12,7 @@ use web_time::Instant;
 use super::address::Address;
 use super::inbox::{Happening, Inbox};
 use super::mirror::Mirror;
-use super::options::{Options, REDUCED_MOTION};
+use super::options::{LIGHT, Options, REDUCED_MOTION};
 use super::touch::{Fingers, Place};
 use super::{cursor, dom, effects, keyboard, message, remember, text_input};
 use crate::objects;
@@ -24,8 +24,9 @@ use crate::ui::{Command, Front, Panels, style};
 /// What is said where the graphics device is gone.
 const LOST: &str = "The graphics of this page were taken away (by the driver, or by too many pages at once): load it again, and it goes on where it was.";
 
-/// How to go on with a finger, said once at the beginning.
-const FIRST_WORDS: &str =
+/// How to go on with a finger, said once at the beginning; on a screen in the hand there is more to it.
+const FIRST_WORDS: &str = "Drag to turn · two fingers zoom · the arrow at the bottom goes on";
+const FIRST_WORDS_IN_HAND: &str =
     "Drag to turn · two fingers zoom · the arrow at the bottom goes on · the three lines open all else";
 /// Whether a finger is what the screen is pointed at with.
 const FINGERS: &str = "(pointer: coarse)";
@@ -78,14 +79,13 @@ pub(super) fn session(options: Options, remembered: &Remembered) -> Result<Sessi
     let mut session = Session::new(scene, Vec::new(), remembered, now);
     session.shown_by(Front::Page);
     if dom::matches(FINGERS) {
-        session.say(FIRST_WORDS);
+        session.say(if dom::matches(remember::SMALL) { FIRST_WORDS_IN_HAND } else { FIRST_WORDS });
     }
     if options.embed {
         session.embed();
     }
     session.set_gliding(!dom::matches(REDUCED_MOTION));
-    let is_light = dom::matches("(prefers-color-scheme: light)");
-    session.prefer_theme(options.theme.unwrap_or(if is_light { Theme::Light } else { Theme::Dark }));
+    session.prefer_theme(theme(options));
     if let Some(time) = read.time {
         session.apply(Command::GoTo(time), now);
     }
@@ -99,6 +99,11 @@ pub(super) fn session(options: Options, remembered: &Remembered) -> Result<Sessi
         session.say(why.to_string());
     }
     Ok(session)
+}
+
+/// Dark or light, as the address asks for or else the browser.
+fn theme(options: Options) -> Theme {
+    options.theme.unwrap_or(if dom::matches(LIGHT) { Theme::Light } else { Theme::Dark })
 }
 
 /// The scene of a link, at its step: what is told in steps begins with the first.
@@ -264,6 +269,10 @@ impl Page {
                         memory.surrender_focus(focused);
                     }
                 }),
+                Happening::Wishes => {
+                    self.session.prefer_theme(theme(self.options));
+                    self.session.set_gliding(!dom::matches(REDUCED_MOTION));
+                }
                 Happening::Say(sentence) => self.session.say(sentence),
             }
         }
