@@ -29,9 +29,7 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
             let aside = outwards(point);
             (-(point.dot(-forward) - NEAR_OUTLINE).abs() - 0.5 * aside.y - 0.35 * aside.x, point)
         }));
-        let line = Line::new(points, 2.2, color).dashed(Dash::Dashed(DASH)).through(0.3);
-        // A motion beside it goes along it.
-        pane.lines.push(Line { is_followed: true, ..line });
+        pane.lines.push(Line::new(points, 2.2, color).dashed(Dash::Dashed(DASH)).through(0.3));
     }
     places.sort_by(|a, b| b.0.total_cmp(&a.0));
     if let Some(((_, on), others)) = places.split_first() {
