@@ -385,6 +385,8 @@ pub struct LabelStyle {
     pub moves: bool,
     /// A stroke joins it to its anchor where it stands aside: what else is near is not meant.
     pub leads: bool,
+    /// Its other places are about as good as the wanted one.
+    pub is_anywhere: bool,
 }
 
 /// A line of text in the corner of a pane: it lies on the screen and not in the pane's world. Those with a swatch stand side by

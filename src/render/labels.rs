@@ -17,9 +17,9 @@ const SHORTEST_LEADER: f32 = 6.0;
 const MARK_COST: f32 = 1.5;
 /// And against standing where something passes at times, and for the part of its way on which it does so.
 const PASSED_COST: [f32; 2] = [1.0, 8.0];
-/// And against naming what it names at another place than the wanted one; and with a stroke to it.
+/// And against naming what it names at another place than the wanted one; where one place is about as good as another.
 const ELSEWHERE_COST: f32 = 2.0;
-const LED_COST: f32 = 1.0;
+const ANYWHERE_COST: f32 = 1.0;
 /// Places along a way at which what passes is looked at, and how near to the way (in the pane's world) what follows it is.
 const PLACES: usize = 96;
 const FOLLOWS_WITHIN: f32 = 0.06;
@@ -113,7 +113,7 @@ pub(super) fn place(
             places[number] = wanted.map(|(centre, _)| Box2::around(kept_inside(centre), half));
             continue;
         }
-        let elsewhere = if label.style.leads { LED_COST } else { ELSEWHERE_COST };
+        let elsewhere = if label.style.is_anywhere { ANYWHERE_COST } else { ELSEWHERE_COST };
         let others = label.others.iter().filter_map(|&(at, toward)| Some((project(at)?, toward, elsewhere)));
         let best = std::iter::once((anchor, label.toward, 0.0))
             .chain(others)
@@ -217,7 +217,7 @@ mod tests {
 
     fn label(anchor: Vec3, priority: i32, moves: bool) -> Label {
         let color = Color::hex(0);
-        let style = LabelStyle { size: 20.0, gap: 5.0, priority, moves, leads: false };
+        let style = LabelStyle { size: 20.0, gap: 5.0, priority, moves, leads: false, is_anywhere: false };
         Label::new(anchor, Vec2::X, "", color, style)
     }
 
