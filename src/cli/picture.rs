@@ -11,6 +11,7 @@ use dzhanibekov::render::{self, Gpu};
 use dzhanibekov::scene::carried::{self, Saying};
 use dzhanibekov::scene::{Scene, quoted};
 use dzhanibekov::sim::Simulation;
+use dzhanibekov::vector::Shading;
 use serde_json::json;
 
 use super::arguments::{Metadata, PictureArguments, number_list};
@@ -89,6 +90,9 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     check_place(&arguments.output)?;
     let format = format(&arguments.output)?;
     arguments.figure.check(format, &arguments.output)?;
+    if arguments.figure.style().shading == Shading::Flat && picture.adapter.is_some() {
+        return Err(Failure::request("--adapter chooses what draws pixels, and with --surfaces flat there are none"));
+    }
     #[cfg(feature = "window")]
     if (arguments.panel || arguments.presenter) && format.is_some() {
         let output = arguments.output.display();
@@ -107,10 +111,9 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     if let Some(error) = simulation.main().failure() {
         return Err(Failure::could_not(error.to_string()));
     }
-    let gpu = open(picture)?;
     #[cfg(feature = "window")]
     if arguments.panel || arguments.presenter {
-        let options = options(picture);
+        let (gpu, options) = (open(picture)?, options(picture));
         let flag = if arguments.presenter { "--presenter" } else { "--panel" };
         let words = [words, vec![flag.to_owned()]].concat();
         let notes = notes(picture, &scene, &words, time);
@@ -122,10 +125,11 @@ pub(super) fn shot(arguments: &ShotArguments) -> Result<(), Failure> {
     }
     let (options, mut notes) = (options(picture), notes(picture, &scene, &words, time));
     let bytes = match format {
-        None => draw(&gpu, &scene, &simulation, &options, &notes)?,
+        None => draw(&open(picture)?, &scene, &simulation, &options, &notes)?,
         Some(format) => {
             arguments.figure.mark(format, &mut notes);
-            draw_figure(&gpu, &scene, &simulation, &options, arguments.figure.style(), format, &notes)?
+            let style = arguments.figure.style();
+            draw_figure(|| open(picture), &scene, &simulation, &options, (style, format), &notes)?
         }
     };
     Ok(files::write(&arguments.output, &bytes)?)

@@ -34,10 +34,10 @@ pub(super) fn sheet(
             sheet.draw(&gpu, scene, times, &options, &notes)?
         }
         Some(format) => {
-            // Its surfaces are one picture.
-            let gpu = open_for(&ShotOptions { size: sheet.whole, ..options.clone() }, picture.quiet)?;
             arguments.figure.mark(format, &mut notes);
-            sheet.figure(&gpu, scene, times, &options, (arguments.figure.style(), format), &notes)?
+            // Its surfaces are one picture.
+            let open = || open_for(&ShotOptions { size: sheet.whole, ..options.clone() }, picture.quiet);
+            sheet.figure(open, scene, times, &options, (arguments.figure.style(), format), &notes)?
         }
     };
     Ok(files::write(&arguments.output, &bytes)?)

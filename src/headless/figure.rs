@@ -12,6 +12,8 @@ use crate::vector::{self, FigureOptions, FigureStyle, Shading, Surfaces};
 
 /// Points of paper (1/72 in) of a pixel for screens, of which an inch has 96.
 const SCREEN: f64 = 72.0 / 96.0;
+/// Largest width and height (pixels) of what is vectors alone: up to there an f32 holds places to a 256th of a pixel.
+const LARGEST: u32 = 1 << 15;
 
 /// What a figure is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,40 +35,55 @@ impl FigureFormat {
     }
 }
 
-/// Draws a scene as its simulation is now, by its own view, on the device that the options opened: the bytes of a file.
+/// Draws a scene as its simulation is now, by its own view: the bytes of a file. The device that the options open is asked for
+/// only where surfaces are pixels: what is vectors alone needs none.
 ///
 /// # Errors
-/// See [`HeadlessError`].
-pub fn figure(
-    gpu: &Gpu,
+/// See [`HeadlessError`]; what `open` returns.
+pub fn figure<E: From<HeadlessError>>(
+    open: impl FnOnce() -> Result<Gpu, E>,
     scene: &Scene,
     simulation: &Simulation,
     options: &ShotOptions,
-    style: FigureStyle,
-    format: FigureFormat,
+    (style, format): (FigureStyle, FigureFormat),
     remarks: &[Remark],
-) -> Result<Vec<u8>, HeadlessError> {
+) -> Result<Vec<u8>, E> {
     let frame = options.frame(scene, simulation, &Cameras::new(&scene.view));
-    figure_of(gpu, &frame, options.size, style, format, remarks)
+    let surfaces = surfaces_in(style, open, &frame, options.size)?;
+    Ok(written(&frame, &surfaces, options.size, (style, format), remarks)?)
 }
 
-/// The same of a frame for figures of this size.
-pub(super) fn figure_of(
-    gpu: &Gpu,
+/// The surfaces of a frame, on a device that is opened where they are pixels.
+pub(super) fn surfaces_in<E: From<HeadlessError>>(
+    style: FigureStyle,
+    open: impl FnOnce() -> Result<Gpu, E>,
     frame: &Frame,
     size: PictureSize,
-    style: FigureStyle,
-    format: FigureFormat,
+) -> Result<Surfaces, E> {
+    match style.shading {
+        Shading::Pixels => Ok(surfaces(&open()?, frame, size)?),
+        Shading::Flat => {
+            let [width, height] = size.pixels;
+            if width.min(height) == 0 || width.max(height) > LARGEST {
+                return Err(HeadlessError::FigureSize { width, height, largest: LARGEST }.into());
+            }
+            Ok(Surfaces::default())
+        }
+    }
+}
+
+/// A frame over its surfaces as the bytes of a file.
+pub(super) fn written(
+    frame: &Frame,
+    surfaces: &Surfaces,
+    size: PictureSize,
+    (style, format): (FigureStyle, FigureFormat),
     remarks: &[Remark],
 ) -> Result<Vec<u8>, HeadlessError> {
-    let surfaces = match style.shading {
-        Shading::Pixels => surfaces(gpu, frame, size)?,
-        Shading::Flat => Surfaces::default(),
-    };
     let options = figure_options(size, style);
     Ok(match format {
-        FigureFormat::Svg => vector::svg(frame, &surfaces, &options, remarks)?.into_bytes(),
-        FigureFormat::Pdf => vector::pdf(frame, &surfaces, &options, remarks)?,
+        FigureFormat::Svg => vector::svg(frame, surfaces, &options, remarks)?.into_bytes(),
+        FigureFormat::Pdf => vector::pdf(frame, surfaces, &options, remarks)?,
     })
 }
 

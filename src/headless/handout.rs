@@ -1,6 +1,6 @@
 //! Pages of a handout: as pictures, or as one PDF of lines and texts.
 
-use super::figure::{FigureFormat, figure_of, surfaces};
+use super::figure::{FigureFormat, figure_options, surfaces, written};
 use super::paper::PictureSize;
 use super::shot::{HeadlessError, Studio};
 use crate::frame::Frame;
@@ -47,7 +47,8 @@ pub fn page_as_png(gpu: &Gpu, page: &Frame, remarks: &[Remark]) -> Result<Vec<u8
 /// # Errors
 /// See [`HeadlessError`].
 pub fn page_as_svg(gpu: &Gpu, page: &Frame, remarks: &[Remark]) -> Result<Vec<u8>, HeadlessError> {
-    figure_of(gpu, page, page_size(), FigureStyle::default(), FigureFormat::Svg, remarks)
+    let surfaces = surfaces(gpu, page, page_size())?;
+    written(page, &surfaces, page_size(), (FigureStyle::default(), FigureFormat::Svg), remarks)
 }
 
 /// All pages as the bytes of one PDF file.
@@ -59,5 +60,5 @@ pub fn pages_as_pdf(gpu: &Gpu, pages: &[Frame], remarks: &[Remark]) -> Result<Ve
     for page in pages {
         drawn.push((page, surfaces(gpu, page, page_size())?));
     }
-    Ok(vector::pdf_of_pages(&drawn, &super::figure::figure_options(page_size(), FigureStyle::default()), remarks)?)
+    Ok(vector::pdf_of_pages(&drawn, &figure_options(page_size(), FigureStyle::default()), remarks)?)
 }

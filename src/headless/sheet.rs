@@ -1,6 +1,6 @@
 //! A sheet of moments: pictures of several times in rows, each under its time, as papers print them.
 
-use super::figure::{FigureFormat, figure_of};
+use super::figure::{FigureFormat, surfaces_in, written};
 use super::paper::{Length, PictureSize};
 use super::shot::{HeadlessError, ShotOptions, Studio};
 use crate::frame::{Area, Color, Frame, Note, Pane};
@@ -202,20 +202,22 @@ impl Sheet {
         Ok(encode_marked(&sheet, options.transparent, remarks, self.whole.pixels_per_metre())?)
     }
 
-    /// Draws the moments as one figure: the bytes of a file.
+    /// Draws the moments as one figure: the bytes of a file. A device is asked for only where surfaces are pixels.
     ///
     /// # Errors
-    /// See [`HeadlessError`].
-    pub fn figure(
+    /// See [`HeadlessError`]; what `open` returns.
+    pub fn figure<E: From<HeadlessError>>(
         &self,
-        gpu: &Gpu,
+        open: impl FnOnce() -> Result<Gpu, E>,
         scene: &Scene,
         times: &[f64],
         options: &ShotOptions,
         (style, format): (FigureStyle, FigureFormat),
         remarks: &[Remark],
-    ) -> Result<Vec<u8>, HeadlessError> {
-        figure_of(gpu, &self.frame(scene, times, options), self.whole, style, format, remarks)
+    ) -> Result<Vec<u8>, E> {
+        let frame = self.frame(scene, times, options);
+        let surfaces = surfaces_in(style, open, &frame, self.whole)?;
+        Ok(written(&frame, &surfaces, self.whole, (style, format), remarks)?)
     }
 }
 

@@ -26,6 +26,16 @@ pub enum HeadlessError {
         /// The most pixels that it draws at once.
         most: u64,
     },
+    /// A size that no figure of vectors alone has.
+    #[error("size {width}x{height} cannot be drawn: both must be between 1 and {largest}")]
+    FigureSize {
+        /// The width asked for.
+        width: u32,
+        /// The height asked for.
+        height: u32,
+        /// The largest of either.
+        largest: u32,
+    },
     /// No adapter, or one that failed.
     #[error(transparent)]
     Gpu(#[from] GpuError),
@@ -41,7 +51,7 @@ impl HeadlessError {
     /// Whether the request was wrong, rather than this machine unable.
     #[must_use]
     pub fn is_bad_request(&self) -> bool {
-        matches!(self, Self::Size { .. } | Self::Gpu(GpuError::NoSuchAdapter { .. }))
+        matches!(self, Self::Size { .. } | Self::FigureSize { .. } | Self::Gpu(GpuError::NoSuchAdapter { .. }))
     }
 }
 

@@ -89,7 +89,9 @@ pub fn say<W: io::Write>(encoder: &mut png::Encoder<'_, W>, remarks: &[Remark]) 
 pub fn encode_small(size: [u32; 2], channels: usize, bytes: &[u8]) -> Result<Vec<u8>, EncodingError> {
     let mut file = vec![];
     let mut encoder = encoder(&mut file, size, channels == 4);
-    encoder.set_compression(png::Compression::Balanced);
+    // Shades of a surface stand in long rows of the same bytes, which differences between neighbours would break up.
+    encoder.set_deflate_compression(png::DeflateCompression::Level(5));
+    encoder.set_filter(png::Filter::NoFilter);
     if channels == 1 {
         encoder.set_color(png::ColorType::Grayscale);
     }

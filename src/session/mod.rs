@@ -281,8 +281,9 @@ impl Session {
     /// Takes dark or light where a scene does not say, as the system has it.
     pub fn prefer_theme(&mut self, theme: Theme) {
         self.preferred_theme = Some(theme);
-        if self.scene.file.view.theme.is_none() && self.scene.view.theme != theme {
-            self.scene.view.theme = theme;
+        let before = self.scene.view.theme;
+        wear(&mut self.scene, self.preferred_theme);
+        if self.scene.view.theme != before {
             self.scenes += 1;
             self.revision += 1;
         }
@@ -472,9 +473,7 @@ impl Session {
     /// A motion that stays the same goes on from where it is.
     fn set_at(&mut self, file: &SceneFile, at: Option<usize>) -> Result<(), SceneError> {
         let mut scene = objects::check_at(file, at)?;
-        if let (None, Some(theme)) = (file.view.theme, self.preferred_theme) {
-            scene.view.theme = theme;
-        }
+        wear(&mut scene, self.preferred_theme);
         let before = std::mem::replace(&mut self.scene, scene);
         self.scenes += 1;
         let (now, then) = (&self.scene.file, &before.file);
@@ -513,4 +512,11 @@ impl Session {
 fn keep_choices(view: &mut ViewFile, before: &ViewFile) {
     view.theme = view.theme.or(before.theme);
     view.labels = view.labels.or(before.labels);
+}
+
+/// The theme that the front end prefers, where the scene's file names none.
+fn wear(scene: &mut Scene, preferred: Option<Theme>) {
+    if let (None, Some(theme)) = (scene.file.view.theme, preferred) {
+        scene.view.theme = theme;
+    }
 }

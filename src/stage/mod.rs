@@ -3,10 +3,10 @@
 //! Events go in as egui's own, commands come out; what only a window or a page can do is left to them.
 
 mod fit;
+mod kept_pixels;
 mod offscreen;
 mod pacing;
 mod screen;
-mod sheet;
 mod stale;
 mod surface;
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::StageError;
-use super::sheet::Sheet;
+use super::kept_pixels::KeptPixels;
 use super::stale::Shown;
 use super::surface::{Acquired, Surface};
 use crate::frame::{Frame, PlacedName};
@@ -17,7 +17,7 @@ pub(super) struct Screen {
     painter: Painter,
     panels: egui_wgpu::Renderer,
     /// The window's pixels, where they are kept.
-    sheet: Option<Sheet>,
+    kept: Option<KeptPixels>,
     /// Whether the picture is another one than that of the last frame.
     is_picture_new: bool,
     gpu: Gpu,
@@ -70,13 +70,13 @@ impl Screen {
             }
         });
         let surface = Surface::new(surface, &gpu, size)?;
-        let sheet = surface.takes_copies().then(Sheet::default);
-        if sheet.is_some() {
+        let kept = surface.takes_copies().then(KeptPixels::default);
+        if kept.is_some() {
             gpu.draw_as(surface.format());
         }
         let painter = Painter::for_window(&gpu, surface.format());
         let panels = egui_wgpu::Renderer::new(&gpu.device, surface.format(), egui_wgpu::RendererOptions::default());
-        Ok(Self { surface, painter, panels, sheet, is_picture_new: false, gpu, is_lost, is_trial })
+        Ok(Self { surface, painter, panels, kept, is_picture_new: false, gpu, is_lost, is_trial })
     }
 
     /// Whether the device is gone and everything on it.
@@ -141,19 +141,19 @@ impl Screen {
         before: impl FnOnce(),
     ) -> Presented {
         // A texture as a whole is another one, whatever shows it.
-        if let Some(sheet) = &mut self.sheet
+        if let Some(kept) = &mut self.kept
             && textures.set.values().flatten().any(egui::epaint::ImageDelta::is_whole)
         {
-            sheet.forget();
+            kept.forget();
         }
         // Also where no frame is had: the next pass only tells what changed since.
         upload(&self.gpu, &mut self.panels, &mut textures);
         let presented = match self.surface.acquire(&self.gpu) {
             Acquired::Frame { texture, is_suboptimal } => {
                 let is_picture_new = std::mem::take(&mut self.is_picture_new);
-                if let Some(sheet) = &mut self.sheet {
+                if let Some(kept) = &mut self.kept {
                     let panels = (&mut self.panels, context);
-                    sheet.paint(&self.gpu, &texture.texture, (&self.painter, is_picture_new), panels, shown);
+                    kept.paint(&self.gpu, &texture.texture, (&self.painter, is_picture_new), panels, shown);
                 } else {
                     let view = texture.texture.create_view(&wgpu::TextureViewDescriptor::default());
                     let picture = (&self.painter, (shown.picture.min.x as u32, shown.picture.min.y as u32));

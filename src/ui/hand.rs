@@ -1,4 +1,4 @@
-//! The panels on a screen that is held in the hand, or as small as one: the picture first, time below it, all else in a sheet that
+//! The panels on a screen that is held in the hand, or as small as one: the picture first, time below it, all else in a drawer that
 //! opens.
 
 use egui::{Align, Frame, Label, Layout, Margin, Panel, RichText, Ui, Vec2};
@@ -10,8 +10,8 @@ use super::{Command, Look, style, timeline, transport};
 
 /// A screen with a side below these (points) is one.
 const SMALLEST_DESK: Vec2 = Vec2::new(640.0, 400.0);
-/// Part of the height that the sheet takes where the screen stands upright.
-const SHEET: f32 = 0.46;
+/// Part of the height that the drawer takes where the screen stands upright.
+const DRAWER: f32 = 0.46;
 /// Least part of the height that is kept for the picture.
 pub(super) const PICTURE_SHARE: f32 = 0.55;
 
@@ -57,20 +57,20 @@ pub(super) fn strip_inside(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Comm
     });
 }
 
-/// The sheet: from below on a screen that stands upright, from the right on one that lies; what it holds comes from the caller.
-pub(super) fn sheet(ui: &mut Ui, room: Vec2, contents: impl FnOnce(&mut Ui)) {
+/// The drawer: from below on a screen that stands upright, from the right on one that lies; what it holds comes from the caller.
+pub(super) fn drawer(ui: &mut Ui, room: Vec2, contents: impl FnOnce(&mut Ui)) {
     let frame = Frame::new().inner_margin(Margin { left: 12, right: 6, top: 8, bottom: 4 });
     if room.y > room.x {
-        let panel = Panel::bottom("sheet").frame(frame).resizable(false);
-        panel.exact_size(SHEET * room.y).show(ui, contents);
+        let panel = Panel::bottom("drawer").frame(frame).resizable(false);
+        panel.exact_size(DRAWER * room.y).show(ui, contents);
     } else {
-        let panel = Panel::right("sheet beside").frame(frame).resizable(false);
+        let panel = Panel::right("drawer beside").frame(frame).resizable(false);
         panel.exact_size((style::PANEL_WIDTH + FINGER).min(0.5 * room.x)).show(ui, contents);
     }
 }
 
 /// The rest of time, which has no room in the strip.
-pub(super) fn time_in_sheet(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+pub(super) fn time_in_drawer(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     ui.horizontal_wrapped(|ui| {
         for (icon, name, state, command) in [
             (Icon::Restart, "restart", None, Command::Restart),

@@ -92,7 +92,7 @@ impl Panels {
         } else if in_hand && !is_part {
             hand::strip(ui, look, &mut commands);
             if look.shown.panel {
-                hand::sheet(ui, room, |ui| self.sheet(ui, look, &mut commands));
+                hand::drawer(ui, room, |ui| self.drawer(ui, look, &mut commands));
             }
         } else if look.shown.panel {
             // In a narrow window the strip of time has the whole width.
@@ -150,8 +150,8 @@ impl Panels {
     }
 
     /// The panel on a small screen, with all of time that has no room in the strip.
-    fn sheet(&mut self, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-        self.controls(ui, look, commands, |ui, commands| hand::time_in_sheet(ui, look, commands));
+    fn drawer(&mut self, ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+        self.controls(ui, look, commands, |ui, commands| hand::time_in_drawer(ui, look, commands));
     }
 
     /// What the panel holds; on a small screen with more above it.

@@ -7,7 +7,7 @@ use super::facets::{self, Facet};
 use super::lines::{self, Part, Projection};
 use super::shells::{self, Wall};
 use super::sight::Sight;
-use super::{FigureOptions, Letters, Shading, dots, fonts, marks, sheets};
+use super::{FigureOptions, Letters, Shading, dots, flats, fonts, marks};
 use crate::camera::{Camera, NEAR};
 use crate::frame::{Color, Frame, Pane, Walls};
 use crate::render::{self, Pixels, PlacedText, ScreenLayer};
@@ -129,7 +129,7 @@ impl<'a> View<'a> {
     fn surfaces(&self, ground: Color) -> Vec<Shape> {
         let (pane, projection) = (self.pane, &self.projection);
         let mut shapes = vec![];
-        sheets::draw(pane, projection, ground, false, &mut shapes);
+        flats::draw(pane, projection, ground, false, &mut shapes);
         shells::draw(pane, projection, Wall::Far, &mut shapes);
         let facets = facets::facets(pane, &self.sight, projection);
         let eye = pane.camera.eye().as_dvec3();
@@ -145,7 +145,7 @@ impl<'a> View<'a> {
         if shapes.len() > walls {
             shapes.extend(facets.iter().filter(|facet| facet.stands_out_of_walls(&self.sight)).map(Facet::shape));
         }
-        sheets::draw(pane, projection, ground, true, &mut shapes);
+        flats::draw(pane, projection, ground, true, &mut shapes);
         shapes
     }
 

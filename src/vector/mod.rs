@@ -7,12 +7,12 @@ mod dots;
 mod drawing;
 mod facets;
 mod figure;
+mod flats;
 mod fonts;
 mod lines;
 mod marks;
 mod metadata;
 mod pdf;
-mod sheets;
 mod shells;
 mod sight;
 #[cfg(test)]

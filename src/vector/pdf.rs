@@ -427,14 +427,14 @@ impl Writer {
 
     /// Writes a page, which may name whatever any of them does.
     fn write_page(&mut self, (page, pages): (Ref, Ref), body: Ref, [width, height]: [f64; 2], fonts: &[(usize, Ref)]) {
-        let mut sheet = self.pdf.page(page);
+        let mut leaf = self.pdf.page(page);
         let size = [width, height].map(|points| ((points * 1000.0).round() / 1000.0) as f32);
-        sheet.parent(pages).media_box(Rect::new(0.0, 0.0, size[0], size[1])).contents(body);
-        let mut group = sheet.group();
+        leaf.parent(pages).media_box(Rect::new(0.0, 0.0, size[0], size[1])).contents(body);
+        let mut group = leaf.group();
         group.transparency().isolated(true);
         group.color_space().device_rgb();
         group.finish();
-        let mut resources = sheet.resources();
+        let mut resources = leaf.resources();
         if !fonts.is_empty() {
             let mut names = resources.fonts();
             for &(number, font) in fonts {
@@ -456,7 +456,7 @@ impl Writer {
             }
         }
         resources.finish();
-        sheet.finish();
+        leaf.finish();
     }
 
     fn finish(mut self, [width, height]: [f64; 2], remarks: &[Remark]) -> Vec<u8> {
@@ -464,15 +464,15 @@ impl Writer {
         let [catalogue, pages] = [1, 2].map(Ref::new);
         let [information, metadata] = [(); 2].map(|()| self.next());
         let bodies = std::mem::take(&mut self.bodies);
-        let sheets: Vec<Ref> = bodies.iter().map(|_| self.next()).collect();
+        let leaves: Vec<Ref> = bodies.iter().map(|_| self.next()).collect();
         let mut root = self.pdf.catalog(catalogue);
         root.pages(pages);
         if !remarks.is_empty() {
             root.metadata(metadata);
         }
         root.finish();
-        self.pdf.pages(pages).kids(sheets.iter().copied()).count(i32::try_from(sheets.len()).unwrap_or_default());
-        for (page, body) in sheets.into_iter().zip(bodies) {
+        self.pdf.pages(pages).kids(leaves.iter().copied()).count(i32::try_from(leaves.len()).unwrap_or_default());
+        for (page, body) in leaves.into_iter().zip(bodies) {
             self.write_page((page, pages), body, [width, height], &fonts);
         }
         if !remarks.is_empty() {

@@ -5,7 +5,7 @@ use crate::session::Remembered;
 
 /// The name under which it is kept.
 const NAME: &str = "dzhanibekov";
-/// Screens in the hand, on which the sheet is closed at first: the picture comes first there.
+/// Screens in the hand, on which the drawer is closed at first: the picture comes first there.
 pub(super) const SMALL: &str = "(max-width: 639px), (max-height: 399px)";
 
 /// Reads it; as if it were the first time where there is nothing to read, or the browser keeps nothing.

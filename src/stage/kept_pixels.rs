@@ -8,18 +8,18 @@ use crate::render::{Gpu, Painter};
 
 /// The pixels, and what they come from.
 #[derive(Default)]
-pub(super) struct Sheet {
+pub(super) struct KeptPixels {
     texture: Option<wgpu::Texture>,
     shown: Option<Shown>,
 }
 
-impl Sheet {
+impl KeptPixels {
     /// Forgets what it shows: all of it will be painted.
     pub(super) fn forget(&mut self) {
         self.shown = None;
     }
 
-    /// Brings the sheet up to what is to be shown, with `painter`'s picture, which may be another than before, and copies it to the
+    /// Brings the pixels up to what is to be shown, with `painter`'s picture, which may be another than before, and copies it to the
     /// frame. The context is that of the shapes.
     pub(super) fn paint(
         &mut self,

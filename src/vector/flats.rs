@@ -30,7 +30,7 @@ pub(super) fn draw(pane: &Pane, projection: &Projection, ground: Color, are_befo
         // On the other side of it than the eye.
         let covers = plane.0.dot(middle - plane.1) * plane.0.dot(eye - plane.1) < 0.0;
         if (covers && !bodies.is_empty()) == are_before {
-            sheet(mesh, projection, ground, shapes);
+            flat(mesh, projection, ground, shapes);
         }
     }
 }
@@ -52,7 +52,7 @@ fn plane(mesh: &Mesh) -> Option<(Vec3, Vec3)> {
 /// A corner on the screen with its opacity.
 type Spot = (DVec2, f64);
 
-fn sheet(mesh: &Mesh, projection: &Projection, ground: Color, shapes: &mut Vec<Shape>) {
+fn flat(mesh: &Mesh, projection: &Projection, ground: Color, shapes: &mut Vec<Shape>) {
     let spot = |vertex: &Vertex| {
         let at: DVec3 = vertex.position.as_dvec3();
         projection.pixel(at).map(|pixel| (pixel, f64::from(vertex.color.0[3])))
