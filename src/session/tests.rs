@@ -8,6 +8,7 @@ use crate::physics::{METHODS, MotionClass, poinsot, so3};
 use crate::scene::{BodyFile, Layout, Scene, SceneError, SceneFile, Theme, preset};
 use crate::ui::{Command, Pixels};
 
+mod fingers;
 mod kept;
 mod pointer;
 mod starts;

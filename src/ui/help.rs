@@ -4,7 +4,7 @@ use egui::{Align2, Button, Grid, Key, RichText, ScrollArea, Ui, Window};
 
 use super::keys::{BINDINGS, Binding};
 use super::widgets::explained;
-use super::{Command, Front, Look};
+use super::{Command, Front, Look, style};
 use crate::objects::WORDS;
 
 /// Width (points) that two columns take.
@@ -16,19 +16,21 @@ const FRAME: f32 = 96.0;
 pub(super) fn show(ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let mut open = !ui.input(|input| input.key_pressed(Key::Escape));
     let room = ui.ctx().content_rect().size();
-    Window::new("Keys")
-        .open(&mut open)
-        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
-        .collapsible(false)
-        .resizable(false)
-        .show(ui.ctx(), |ui| {
-            let columns = if room.x < TWO_COLUMNS { 1 } else { 2 };
-            let most = (room.y - FRAME).max(60.0);
-            ScrollArea::vertical().max_height(most).min_scrolled_height(most).show(ui, |ui| {
-                sheet(ui, look, columns, commands);
-            });
+    let for_fingers = style::is_for_fingers(ui);
+    let window = Window::new("Keys");
+    // The cross of a window is too small for a finger.
+    let mut is_closed = false;
+    let window = if for_fingers { window } else { window.open(&mut open) };
+    window.anchor(Align2::CENTER_CENTER, [0.0, 0.0]).collapsible(false).resizable(false).show(ui.ctx(), |ui| {
+        is_closed = for_fingers && ui.button("close").clicked();
+        let columns = if room.x < TWO_COLUMNS { 1 } else { 2 };
+        let close = if for_fingers { style::FINGER + ui.spacing().item_spacing.y } else { 0.0 };
+        let most = (room.y - FRAME - close).max(60.0);
+        ScrollArea::vertical().max_height(most).min_scrolled_height(most).show(ui, |ui| {
+            sheet(ui, look, columns, commands);
         });
-    if !open {
+    });
+    if !open || is_closed {
         commands.push(Command::ToggleHelp);
     }
 }
@@ -43,7 +45,7 @@ fn sheet(ui: &mut Ui, look: &Look<'_>, columns: usize, commands: &mut Vec<Comman
             Grid::new(("keys", column)).num_columns(3).spacing([14.0, 6.0]).show(ui, |ui| {
                 for (binding, keys) in rows {
                     ui.label(RichText::new(*keys).monospace().strong());
-                    if ui.add(Button::new(binding.does).frame(false)).clicked() {
+                    if ui.add(Button::new(binding.does).frame(false).min_size(ui.spacing().interact_size)).clicked() {
                         commands.push(binding.command.clone());
                     }
                     if let Some(state) = (binding.state)(look) {

@@ -1,7 +1,7 @@
 //! The scene as a slide: its title, a few sentences and a question to the class, above the picture.
 
 use egui::accesskit::Role;
-use egui::{Color32, CursorIcon, FontId, Frame, Label, Margin, Panel, RichText, Sense, Ui, WidgetInfo};
+use egui::{Button, Color32, CursorIcon, FontId, Frame, Label, Margin, Panel, RichText, Sense, Ui, WidgetInfo, vec2};
 
 use super::keys::keys_of;
 use super::{Command, Look, style};
@@ -69,9 +69,14 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32, commands: &mut Vec<C
             if *size == title_size {
                 ui.label(rich.strong());
             } else if is_question(text) {
-                let pressed = ui.add(Label::new(rich).sense(Sense::click()));
-                pressed.widget_info(|| WidgetInfo::labeled(Role::Button, true, text));
-                if pressed.on_hover_cursor(CursorIcon::PointingHand).clicked() {
+                let pressed = if style::is_for_fingers(ui) {
+                    ui.add(Button::new(rich).frame(false).wrap().min_size(vec2(style::FINGER, style::FINGER)))
+                } else {
+                    let label = ui.add(Label::new(rich).sense(Sense::click()));
+                    label.widget_info(|| WidgetInfo::labeled(Role::Button, true, text));
+                    label.on_hover_cursor(CursorIcon::PointingHand)
+                };
+                if pressed.clicked() {
                     commands.push(Command::ToggleAnswer);
                 }
             } else {

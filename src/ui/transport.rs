@@ -84,7 +84,8 @@ fn clock_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     // It keeps its place while the last digits run.
     let width = 13.5 * time.chars().count().max(decimals + 5) as f32;
     let text = egui::Label::new(RichText::new(time).monospace().size(22.0)).halign(Align::Min);
-    let clock = ui.add_sized([width, 30.0], text.sense(egui::Sense::click()));
+    let height = if style::is_for_fingers(ui) { style::FINGER } else { 30.0 };
+    let clock = ui.add_sized([width, height], text.sense(egui::Sense::click()));
     if clock.on_hover_text(hint_of(&Command::AskTime, look.front)).clicked() {
         commands.push(Command::AskTime);
     }
