@@ -123,6 +123,50 @@ const COUNT = () => {
   }
   await close(page);
 
+  // Where it cannot run: one sentence that says what to do, and the still picture stays.
+  const refused = async (what, words, stub, options = {}) => {
+    const context = await browser.newContext({ viewport: { width: 800, height: 450 }, ...options });
+    const page = await context.newPage();
+    if (stub) await page.addInitScript(stub);
+    if (options.route) await page.route("**/*.wasm", options.route);
+    await page.goto(base);
+    const seen = () => page.evaluate(() => [document.documentElement.dataset.state, document.getElementById("sentence").textContent, document.querySelector("#start svg").getBoundingClientRect().height > 100]);
+    await until(async () => (await seen())[0] === "failed");
+    const [stands, sentence, picture] = await seen();
+    check(stands === "failed" && sentence.includes(words) && picture, `${what}: ${stands} “${sentence}”`);
+    await context.close();
+  };
+  await refused("no WebAssembly", "no WebAssembly", () => { delete window.WebAssembly; });
+  await refused("no SIMD", "no SIMD", () => { WebAssembly.validate = () => false; });
+  await refused("no WebGL 2", "no 3D", () => { HTMLCanvasElement.prototype.getContext = () => null; });
+  await refused("no memory", "not enough memory", () => { WebAssembly.instantiate = WebAssembly.instantiateStreaming = () => Promise.reject(new RangeError("no memory")); });
+  await refused("no wasm at the server", "answers 404", null, { route: (route) => route.fulfill({ status: 404, body: "" }) });
+
+  // Dark or light and more or less motion, as the browser has it, also while it is open; what the address says counts more.
+  page = await open("?play=0#t-handle");
+  const shade = async (page) => { await page.screenshot({ path: `${SCRATCH}/shade.png` }); return Number(execFileSync("convert", [`${SCRATCH}/shade.png`, "-colorspace", "gray", "-format", "%[fx:mean]", "info:"]).toString()); };
+  check(await shade(page) < 0.35, "where dark is wanted the page is light");
+  await page.emulateMedia({ colorScheme: "light" });
+  check(await until(async () => await shade(page) > 0.65), "the page stays dark where it is to be light from now on");
+  await close(page);
+  page = await open("?play=0&theme=dark#t-handle", { colorScheme: "light" });
+  check(await shade(page) < 0.35, "?theme=dark is light");
+  // What changes in a scene leaves no steps for the browser's back.
+  const steps = await page.evaluate(() => history.length);
+  for (let at = 0; at < 3; at++) { await page.keyboard.press("k"); await settled(400); }
+  check((await state(page)).link.includes("spin.omega") && await page.evaluate(() => history.length) === steps, "changes fill the browser's history");
+  // Hidden for a while, it goes on where it was.
+  await page.keyboard.press("Space");
+  await until(async () => (await state(page)).playing);
+  const lifecycle = await page.context().newCDPSession(page);
+  const hidden = await state(page);
+  await lifecycle.send("Page.setWebLifecycleState", { state: "frozen" });
+  await settled(3000);
+  await lifecycle.send("Page.setWebLifecycleState", { state: "active" });
+  const back = await state(page);
+  check(back.time - hidden.time < 2, `hidden for 3 s, time goes from ${hidden.time} s to ${back.time} s`);
+  await close(page);
+
   // By the keyboard alone, and by ear.
   page = await open("?play=0");
   const find = (words) => page.evaluate((words) => [...document.querySelectorAll("#mirror button")].some((button) => button.textContent.startsWith(words)), words);
@@ -135,6 +179,8 @@ const COUNT = () => {
   await page.evaluate(() => document.activeElement.blur());
   await page.keyboard.press("Space");
   check(await until(async () => !(await state(page)).playing), "Space does nothing after a control was left");
+  check(await page.evaluate(() => { window.postMessage({ dzhanibekov: "goto", time: 1.9 }, "*"); window.postMessage({ dzhanibekov: "play" }, "*"); return document.getElementById("live").ariaLive; }) === "polite", "nothing is read aloud by itself");
+  check(await until(() => page.evaluate(() => document.getElementById("live").textContent.startsWith("flip at"))), "a flip is not read aloud");
   await close(page);
 
   // Links: of every scene, and back and forward.
@@ -183,6 +229,10 @@ const COUNT = () => {
       worst = Math.max(worst, Math.abs(rows[at][column] - number) / size);
     }));
   }
+  // The page has its sines, exponentials and the like from Rust's library, the program from the C library: each right to a unit in the
+  // last place, not always the same one; with the same library all bits are the same. Either result is some ten roundings of numbers up
+  // to 1 away from the truth, each half of 2⁻⁵², so the two are no further apart than ten times that.
+  check(worst <= 10 * Number.EPSILON, `the numbers are others by ${worst} of their vector`);
   console.error(`smoke: of ${numbers} numbers of the motion ${others} are others than the program's, at most by ${worst.toExponential(1)} of their vector`);
   await close(page);
 
@@ -202,8 +252,22 @@ const COUNT = () => {
     document.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
   });
   check(await until(async () => (await state(page)).link.includes("spin.rate=8")), "a pasted link does not open");
+  const long = `title = "Long"\ntext = "${"A long text about the motion. ".repeat(300)}"\n[body]\nbox = [0.3, 0.2, 0.1]\nmass = 1\n[spin]\naxis = 1\nrate = 2\n`;
+  await page.evaluate((text) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], "long.toml"));
+    document.getElementById("canvas").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, long);
+  check(await until(async () => (await state(page)).title === "Long" && page.url().includes("#scene=")) && page.url().length < long.length / 10, `a long scene has an address of ${page.url().length} signs`);
+  await page.evaluate(() => window.postMessage({ dzhanibekov: "open", link: "#flip?spin.rate=8" }, "*"));
+  await until(async () => (await state(page)).link.includes("spin.rate=8"));
   const press = async (words) => await until(() => find(words)) && page.evaluate((words) => [...document.querySelectorAll("#mirror button")].find((button) => button.textContent.startsWith(words)).click(), words);
   await press("Picture");
+  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), press("open a file")]);
+  await chooser.setFiles({ name: "chosen.toml", mimeType: "application/toml", buffer: Buffer.from("title = \"Chosen\"\n[body]\nbox = [0.3, 0.2, 0.1]\nmass = 1\n[spin]\naxis = 1\nrate = 2\n") });
+  check(await until(async () => (await state(page)).title === "Chosen"), "a chosen file does not open");
+  await page.evaluate(() => window.postMessage({ dzhanibekov: "open", link: "#flip" }, "*"));
+  await until(async () => (await state(page)).link.startsWith("#flip"));
   const [picture] = await Promise.all([page.waitForEvent("download"), press("write picture")]);
   check(picture.suggestedFilename() === "the-flip.png" && fs.statSync(await picture.path()).size > 10000, "the picture is not downloaded");
 
@@ -246,9 +310,11 @@ const COUNT = () => {
   check((await asked({ dzhanibekov: "pause" })).playing === false, "pause does not pause");
   check((await asked({ dzhanibekov: "open", link: "#t-handle?time=1" })).link.startsWith("#t-handle"), "open does not open");
   check((await asked({ dzhanibekov: "step", count: 3 })).time > 1, "step does not step");
+  // The strip of time is there where the pointer moves, and goes where it rests.
+  const bare = await page.screenshot();
   await page.mouse.move(400, 200);
-  await settled(400);
-  await page.screenshot({ path: `${SCRATCH}/slide.png` });
+  check(await until(async () => !bare.equals(await page.screenshot({ path: `${SCRATCH}/slide.png` }))), "in another page the pointer brings no strip of time");
+  check(await until(async () => bare.equals(await page.screenshot())), "in another page the strip of time stays over the picture");
   await context.close();
   other.close();
 
