@@ -383,6 +383,10 @@ pub struct LabelStyle {
     pub priority: i32,
     /// Follows the motion, and stays in its wanted direction; labels that do not stand still while time runs.
     pub moves: bool,
+    /// A stroke joins it to its anchor where it stands aside: what else is near is not meant.
+    pub leads: bool,
+    /// Its other places are about as good as the wanted one.
+    pub is_anywhere: bool,
 }
 
 /// A line of text in the corner of a pane: it lies on the screen and not in the pane's world. Those with a swatch stand side by

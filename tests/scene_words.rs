@@ -440,15 +440,69 @@ fn the_body_has_turned_as_far_as_is_said() {
     assert!(scene.file.steps.iter().any(|step| step.time == Some(2.715)));
 }
 
-/// The flip, the first scene: the surfaces are as long as is said, and M is slow near axis 2 and fast between.
+/// The flip, the first scene: the surfaces are as long as is said, M is slow near axis 2 and fast between, and there K is a pass.
 #[test]
 fn the_flip_is_as_is_said() {
-    let scene = scene_that_says("flip", &[]);
-    let axes = poinsot::energy_semi_axes(&scene.body, scene.start.energy(&scene.body));
+    let scene = scene_that_says(
+        "flip",
+        &[
+            "K = M²/2I",
+            "long along 3 and short along 1",
+            "M is on the one above",
+            "the ends of axis 1 (small I) are summits, those of 3 (large I) valleys",
+            "it is uphill to 1 and downhill to 3: a pass",
+            "tenfold every 0.63 s",
+            "the same way round all the time",
+        ],
+    );
+    let body = &scene.body;
+    let ell = so3::norm(scene.start.world_momentum);
+    let axes = poinsot::energy_semi_axes(body, scene.start.energy(body));
     assert!(axes.z > axes.y && axes.y > axes.x);
     assert!(flips(&scene, 30.0).len() > 3);
-    let rate = |momentum: DVec3| motion::momentum_rate(&scene.body, momentum).length();
-    let half = poinsot::next_flip_of(&scene.body, &scene.start).expect("it flips");
+    let rate = |momentum: DVec3| motion::momentum_rate(body, momentum).length();
+    let half = poinsot::next_flip_of(body, &scene.start).expect("it flips");
     let exact = exact(&scene);
     assert!(rate(exact.momentum(half)) > 100.0 * rate(exact.momentum(0.0)));
+    // M keeps to one of the two lines: axis 3 is up in the picture.
+    let around: Vec<DVec3> = (0..1_000).map(|n| principal(&scene, exact.momentum(0.02 * f64::from(n)))).collect();
+    assert!(around.iter().all(|momentum| momentum.z > 0.0));
+    // ω·L = 2K is above 0.
+    assert!(scene.start.energy(body) > 0.0);
+    // Along an axis K = M²/2I; of all M of one length it is largest along axis 1 and least along axis 3, and a pass along axis 2.
+    let energy = |direction: DVec3| body.energy(body.body_from_principal() * direction.normalize() * ell);
+    for (axis, moment) in DVec3::AXES.into_iter().zip(body.principal_moments().to_array()) {
+        assert_at_most((energy(axis) * 2.0 * moment / ell.powi(2) - 1.0).abs(), 1e-14, "K = M²/2I");
+    }
+    for n in 0..36 {
+        let (sine, cosine) = (f64::from(n) * std::f64::consts::TAU / 36.0).sin_cos();
+        for end in [1.0, -1.0] {
+            assert!(energy(DVec3::new(end, 0.2 * sine, 0.2 * cosine)) < energy(DVec3::X));
+            assert!(energy(DVec3::new(0.2 * sine, 0.2 * cosine, end)) > energy(DVec3::Z));
+        }
+    }
+    for side in [0.2, -0.2] {
+        assert!(
+            energy(DVec3::new(side, 1.0, 0.0)) > energy(DVec3::Y)
+                && energy(DVec3::new(0.0, 1.0, side)) < energy(DVec3::Y)
+        );
+    }
+    // A tilt grows tenfold in ln 10 over its rate.
+    let tenfold = 10f64.ln() / poinsot::growth_rate(body, ell);
+    assert!((0.625..0.635).contains(&tenfold), "{tenfold}");
+    let tilt = |time: f64| angle(principal(&scene, exact.momentum(time)), DVec3::Y);
+    assert!(
+        (9.0..11.0).contains(&(tilt(0.2 + 2.0 * tenfold) / tilt(0.2 + tenfold))),
+        "{}",
+        tilt(0.2 + 2.0 * tenfold) / tilt(0.2 + tenfold)
+    );
+}
+
+/// Every question that is asked has an answer.
+#[test]
+fn every_question_has_an_answer() {
+    for preset in scene::presets() {
+        let file = preset.read().expect("a scene's text");
+        assert_eq!(file.question.trim().is_empty(), file.answer.trim().is_empty(), "{}", file.title);
+    }
 }

@@ -8,6 +8,8 @@ use crate::frame::{Color, Label, LabelStyle, Line, Mark, Marker, Pane};
 
 /// How far the axes stand out of the sphere.
 const REACH: f32 = 1.22;
+/// What the ends of axes 1, 2, 3 are on the map of the energy.
+const HEIGHTS: [&str; 3] = ["summit", "pass", "valley"];
 
 /// The parts of the axes outside the sphere.
 pub(super) fn axes(context: &Context<'_>, pane: &mut Pane) {
@@ -16,8 +18,8 @@ pub(super) fn axes(context: &Context<'_>, pane: &mut Pane) {
         for sign in [1.0, -1.0] {
             pane.lines.push(Line::new([axis * sign, axis * sign * REACH], 2.6, color).through(0.25));
         }
-        // With its moment it is named there.
-        if !context.shows(&super::MOMENTS) {
+        // With its moment or its height it is named there.
+        if !context.shows(&super::MOMENTS) && !has_heights(context) {
             let text = body_axes::NUMBERS[number];
             if number == body_axes::started_about(context) && context.shows(&super::ENDS) {
                 let sign = context.body_momentum(context.scene.start.body_momentum)[number].signum();
@@ -33,7 +35,7 @@ pub(super) fn axes(context: &Context<'_>, pane: &mut Pane) {
 
 /// The moments, beside the numbers of the axes.
 pub(super) fn moments(context: &Context<'_>, pane: &mut Pane) {
-    if !context.shows(&super::AXES) {
+    if !context.shows(&super::AXES) || has_heights(context) {
         return;
     }
     let moments = context.simulation.body().principal_moments();
@@ -42,6 +44,37 @@ pub(super) fn moments(context: &Context<'_>, pane: &mut Pane) {
         let text = format!("{}: I{index} = {}", number + 1, significant(moments[number]));
         name(pane, Vec3::AXES[number], &text, color, labels::MOMENT);
     }
+}
+
+/// What each end is where the energy is taken as a height. Of all momenta of one length those along axis 1 have the most energy and
+/// those along axis 3 the least; from axis 2 it rises towards axis 1 and falls towards axis 3.
+pub(super) fn heights(context: &Context<'_>, pane: &mut Pane) {
+    if !has_heights(context) {
+        return;
+    }
+    for (number, color) in context.palette.axes.into_iter().enumerate() {
+        let start = context.body_momentum(context.scene.start.body_momentum)[number];
+        for sign in [1.0, -1.0] {
+            let end = if number == body_axes::started_about(context) && context.shows(&super::ENDS) {
+                if sign * start > 0.0 { " (top)" } else { " (bottom)" }
+            } else {
+                ""
+            };
+            let text = format!("{}{end}: {}", body_axes::NUMBERS[number], HEIGHTS[number]);
+            name(pane, Vec3::AXES[number] * sign, &text, color, labels::MOMENT);
+        }
+    }
+}
+
+/// Whether the ends of the axes are named by their heights: where two moments are equal none is a pass.
+fn has_heights(context: &Context<'_>) -> bool {
+    context.shows(&super::HEIGHTS) && context.unit_momentum().is_some() && are_distinct(context)
+}
+
+/// Whether no two moments are equal.
+fn are_distinct(context: &Context<'_>) -> bool {
+    let moments = context.simulation.body().principal_moments();
+    moments.x < moments.y && moments.y < moments.z
 }
 
 /// Names an axis at this end.
@@ -56,9 +89,8 @@ pub(super) fn poles(context: &Context<'_>, pane: &mut Pane) {
     if context.unit_momentum().is_none() {
         return;
     }
-    let moments = context.simulation.body().principal_moments();
     // Where two moments are equal their axes are no better than those between; none is told apart by stability.
-    let distinct = moments.x < moments.y && moments.y < moments.z;
+    let distinct = are_distinct(context);
     for (number, color) in context.palette.axes.into_iter().enumerate() {
         let mark = if number == 1 && distinct { Mark::Cross } else { Mark::Disc };
         let size = if mark == Mark::Cross { 19.0 } else { 12.0 };

@@ -53,6 +53,7 @@ pub(super) struct Held {
     quadrics: usize,
     is_open: bool,
     lines: usize,
+    dots: usize,
     markers: usize,
     labels: usize,
     notes: usize,
@@ -66,6 +67,7 @@ impl Held {
             quadrics: pane.quadrics.len(),
             is_open: pane.quadrics.iter().any(|pair| pair.is_open),
             lines: pane.lines.len(),
+            dots: pane.dots.len(),
             markers: pane.markers.len(),
             labels: pane.labels.len(),
             notes: pane.notes.len(),
@@ -92,6 +94,7 @@ impl Held {
         for line in pane.lines.iter_mut().skip(self.lines) {
             line.points.iter_mut().for_each(|point| fade(&mut point.color));
         }
+        pane.dots.iter_mut().skip(self.dots).for_each(|dot| fade(&mut dot.color));
         for marker in pane.markers.iter_mut().skip(self.markers) {
             fade(&mut marker.color);
             fade(&mut marker.rim);
@@ -141,6 +144,13 @@ mod tests {
             let second = |pair: &crate::frame::QuadricPair| pair.second.map(|quadric| quadric.color.0[3]);
             assert_eq!(second(half).map(|strength| 2.0 * strength), second(whole));
         }
+        // The dots of a cloud likewise.
+        let without = Scene::check(&SceneFile::default())?;
+        let with = Scene::check(&SceneFile::parse("view = { show = ['cloud'] }\ncloud = { count = 3 }")?)?;
+        let simulation = Simulation::new(&with);
+        let glide = Some(Glide { from: &without.view, part: 0.25 });
+        let frame = build_frame_on_the_way(&with, &simulation, &cameras, 1.5, 1.0, glide);
+        assert_eq!(frame.panes[1].dots.iter().map(|dot| dot.color.0[3]).collect::<Vec<_>>(), [0.25; 3]);
         let still = Glide { from: &to.view, part: 0.3 };
         for aspect in [0.5, 1.5] {
             assert_eq!(still.areas(to.view.layout, aspect), areas(to.view.layout, aspect));

@@ -48,6 +48,7 @@ pub use context::Context;
 pub use ghosts::method_color;
 pub use glide::Glide;
 pub use layout::{Cameras, Space, areas};
+pub use notes::is_turning_over;
 pub use page::{PAGE, PAGE_ON_PAPER, build_page, page_time, pages};
 pub use theme::Palette;
 pub use words::{WORDS, Word, word_of};
@@ -142,6 +143,33 @@ const MOMENTS: Object = object(
     true,
     axes::moments,
     "The moments of inertia beside the numbers of the axes",
+);
+/// What the ends of the axes are where the energy is taken as a height, beside their numbers.
+const HEIGHTS: Object = object(
+    "heights",
+    "Summits, valleys and passes",
+    Momentum,
+    false,
+    axes::heights,
+    "The ends of the axes where the energy is taken as a height: summits, valleys and passes",
+);
+/// The ellipsoid, which the sphere crosses along two lines.
+const ELLIPSOID: Object = object(
+    "ellipsoid",
+    "Energy ellipsoid",
+    Momentum,
+    true,
+    surfaces::ellipsoid,
+    "The ellipsoid of all momenta of the same energy",
+);
+/// The border, beside which the second of those lines would run.
+const SEPARATRIX: Object = object(
+    "separatrix",
+    "Separatrix",
+    Momentum,
+    true,
+    separatrix::draw,
+    "The two circles' border between paths about axis 1 and about axis 3",
 );
 /// L's arrow, of which the captions speak.
 const MOMENTUM: Object = object(
@@ -334,14 +362,7 @@ pub static OBJECTS: &[Object] = &[
         surfaces::sphere,
         "The sphere that the tip of M cannot leave, for |M| stays the same",
     ),
-    object(
-        "ellipsoid",
-        "Energy ellipsoid",
-        Momentum,
-        true,
-        surfaces::ellipsoid,
-        "The ellipsoid of all momenta of the same energy",
-    ),
+    ELLIPSOID,
     object(
         "still-body",
         "Body, standing still",
@@ -352,6 +373,7 @@ pub static OBJECTS: &[Object] = &[
     ),
     AXES,
     MOMENTS,
+    HEIGHTS,
     object(
         "level-sets",
         "Levels of the energy",
@@ -361,14 +383,7 @@ pub static OBJECTS: &[Object] = &[
         "The paths of M at other energies, on the sphere",
     ),
     RINGS,
-    object(
-        "separatrix",
-        "Separatrix",
-        Momentum,
-        true,
-        separatrix::draw,
-        "The two circles' border between paths about axis 1 and about axis 3",
-    ),
+    SEPARATRIX,
     object(
         "flow",
         "Flow",

@@ -2,14 +2,15 @@
 
 use super::{Context, Space, body_axes, ghosts};
 use crate::frame::{Color, Dash, Mark, Note, Pane, Swatch};
-use crate::physics::poinsot;
+use crate::physics::{poinsot, so3};
 use crate::scene::Layout;
+use crate::sim::Simulation;
 
 const CAPTION_SIZE: f32 = 20.0;
 /// Of the rows of the legend, which may be many.
 const LEGEND_SIZE: f32 = 17.0;
 /// How far along the vertical an axis points that is upright.
-const UPRIGHT: f32 = 0.7;
+const UPRIGHT: f64 = 0.7;
 /// The middle axis, counted from 0.
 const MIDDLE: usize = 1;
 /// Columns that it mostly has in half a picture, and the height of a row as a part of a pane's.
@@ -43,9 +44,9 @@ pub(super) fn flip(context: &Context<'_>, pane: &mut Pane) {
     // L points up, so that M along an axis is how far that axis points up.
     let upright = now[axis] * context.body_momentum(context.scene.start.body_momentum)[axis].signum();
     let way = match upright {
-        upright if upright > UPRIGHT => "as at the start",
-        upright if upright < -UPRIGHT => "turned over",
-        _ => "turning over",
+        _ if is_turning_over(context.simulation) => "turning over",
+        upright if upright > 0.0 => "as at the start",
+        _ => "turned over",
     };
     note(pane, format!("flips: the body – now {way}"), context.palette.axes[axis]);
     let has_arrow = context.shows(&super::MOMENTUM);
@@ -54,6 +55,15 @@ pub(super) fn flip(context: &Context<'_>, pane: &mut Pane) {
         let stays = if has_arrow { "stays: the arrow L" } else { "stays: the way round it turns" };
         note(pane, stays.to_owned(), context.palette.ink);
     }
+}
+
+/// Whether a body that flips is on its way over: its middle axis points neither up nor down.
+#[must_use]
+pub fn is_turning_over(simulation: &Simulation) -> bool {
+    let body = simulation.body();
+    let momentum = simulation.state().body_momentum;
+    let along = (body.body_from_principal().transpose() * momentum)[MIDDLE];
+    along.abs() <= UPRIGHT * so3::norm(momentum)
 }
 
 fn note(pane: &mut Pane, text: String, color: Color) {

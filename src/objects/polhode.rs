@@ -34,6 +34,12 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
         label.others = near.map(|&on| (on, Vec2::new((on - middle).dot(right), (on - middle).dot(up)))).collect();
         pane.labels.push(label);
     }
-    let line = Line::new(simplified(&points, TOLERANCE), 4.5, context.palette.polhode).through(0.4);
+    let points = simplified(&points, TOLERANCE);
+    // The surfaces cross on the other side too, where M never comes. It is one path of many where others are drawn.
+    if is_line && context.shows(&super::ELLIPSOID) && !context.shows(&super::SEPARATRIX) {
+        let opposite = points.iter().map(|point| -point);
+        pane.lines.push(Line::new(opposite, 2.0, context.palette.polhode.alpha(0.6)).through(0.4));
+    }
+    let line = Line::new(points, 4.5, context.palette.polhode).through(0.4);
     pane.lines.push(Line { is_followed: true, ..line });
 }

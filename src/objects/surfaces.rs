@@ -17,6 +17,10 @@ pub(super) fn sphere(context: &Context<'_>, pane: &mut Pane) {
     }
     let color = context.palette.sphere;
     pane.add_cutting(Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, Vec3::ONE, color));
+    if context.shows(&super::HEIGHTS) {
+        // A map, with names enough at its rim.
+        return;
+    }
     // Its name stands where it is farthest outside the ellipsoid.
     let semi_axes = single(semi_axes(context));
     label(pane, "same length |L|", color, |direction| (-support(semi_axes, direction).dot(direction), direction));

@@ -54,6 +54,11 @@ pub static WORDS: &[Word] = &[
         "The border between the paths of M round axis 1 and those round axis 3. It crosses itself at the ends of axis 2.",
     ),
     word(
+        "summit, valley, pass",
+        &["summit", "valley", "pass"],
+        "With K as the height on the sphere: both ends of axis 1 are summits, both of axis 3 valleys; from those of axis 2 it is uphill to axis 1 and downhill to axis 3: passes.",
+    ),
+    word(
         "level set",
         &["levels of the energy", "level set"],
         "A level set of the energy: all M of one length and one energy, the path of a spin with that energy.",
@@ -115,6 +120,8 @@ mod tests {
             ("same length |L|", "sphere"),
             ("Levels of the energy", "level set"),
             ("2: top", "axes 1, 2, 3"),
+            ("1: summit", "summit, valley, pass"),
+            ("2 (bottom): pass", "summit, valley, pass"),
             ("3: I₃ = 0.00453", "axes 1, 2, 3"),
             ("invariable plane", "invariable plane"),
         ] {

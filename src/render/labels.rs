@@ -7,14 +7,19 @@ use glam::{Vec2, Vec3};
 use super::pane::PaneUniform;
 use crate::frame::{Label, Pane};
 
-/// Free space between labels and at the rim of the pane (points).
+/// Free space between labels, and at the rim of the pane (points).
 const CLEARANCE: f32 = 5.0;
+const RIM: f32 = 9.0;
+/// Free space between a label and its leader, and the shortest that is drawn (points).
+const OFF_LEADER: f32 = 3.0;
+const SHORTEST_LEADER: f32 = 6.0;
 /// How much a label gives to stay near its wanted direction, against covering a mark.
 const MARK_COST: f32 = 1.5;
 /// And against standing where something passes at times, and for the part of its way on which it does so.
 const PASSED_COST: [f32; 2] = [1.0, 8.0];
-/// And against naming what it names at another place than the wanted one.
+/// And against naming what it names at another place than the wanted one; where one place is about as good as another.
 const ELSEWHERE_COST: f32 = 2.0;
+const ANYWHERE_COST: f32 = 1.0;
 /// Places along a way at which what passes is looked at, and how near to the way (in the pane's world) what follows it is.
 const PLACES: usize = 96;
 const FOLLOWS_WITHIN: f32 = 0.06;
@@ -29,6 +34,8 @@ pub(super) struct Place {
     pub(super) low: Vec2,
     /// Factor on its opacity.
     pub(super) opacity: f32,
+    /// The stroke that joins it to what it names, in pixels of the pane, where it has one.
+    pub(super) leader: Option<[Vec2; 2]>,
 }
 
 /// A rectangle in pixels of the pane, y down.
@@ -45,6 +52,14 @@ impl Box2 {
 
     pub(super) fn meets(&self, other: &Self) -> bool {
         self.low.cmplt(other.high).all() && other.low.cmplt(self.high).all()
+    }
+
+    /// The stroke from just beside it to a place; none where that is too near.
+    fn leader_to(&self, place: Vec2, point: f32) -> Option<[Vec2; 2]> {
+        let from = place.clamp(self.low, self.high);
+        let way = place - from;
+        let long = way.length() - OFF_LEADER * point;
+        (long >= SHORTEST_LEADER * point).then(|| [place - way.normalize_or_zero() * long, place])
     }
 
     /// Width of the gap between two; 0 where they meet.
@@ -84,12 +99,13 @@ pub(super) fn place(
     });
     let mut taken: Vec<Box2> = notes.to_vec();
     let mut places: Vec<Option<Box2>> = vec![None; pane.labels.len()];
+    let mut leaders = vec![None; pane.labels.len()];
     for number in order {
         let label = &pane.labels[number];
         let Some(anchor) = project(label.anchor) else { continue };
         let half = 0.5 * extents[number];
         let kept_inside = |centre: Vec2| {
-            let rim = half + CLEARANCE * point;
+            let rim = half + RIM * point;
             centre.clamp(rim.min(0.5 * pixels), (pixels - rim).max(0.5 * pixels))
         };
         if label.style.moves {
@@ -97,13 +113,14 @@ pub(super) fn place(
             places[number] = wanted.map(|(centre, _)| Box2::around(kept_inside(centre), half));
             continue;
         }
-        let others = label.others.iter().filter_map(|&(at, toward)| Some((project(at)?, toward, ELSEWHERE_COST)));
+        let elsewhere = if label.style.is_anywhere { ANYWHERE_COST } else { ELSEWHERE_COST };
+        let others = label.others.iter().filter_map(|&(at, toward)| Some((project(at)?, toward, elsewhere)));
         let best = std::iter::once((anchor, label.toward, 0.0))
             .chain(others)
             .flat_map(|(at, toward, extra)| {
-                candidates(label, (at, toward), half, point).map(move |(centre, cost)| (centre, cost + extra))
+                candidates(label, (at, toward), half, point).map(move |(centre, cost)| (centre, at, cost + extra))
             })
-            .filter_map(|(centre, cost)| {
+            .filter_map(|(centre, at, cost)| {
                 let inside = kept_inside(centre);
                 let own = Box2::around(inside, half + 0.5 * CLEARANCE * point);
                 if taken.iter().any(|other| own.meets(other)) {
@@ -114,12 +131,14 @@ pub(super) fn place(
                 let passed =
                     if passed > 0.0 { PASSED_COST[0] + PASSED_COST[1] * passed / passing.len() as f32 } else { 0.0 };
                 let pushed = inside.distance(centre) / (20.0 * point);
-                Some((inside, cost + pushed + passed + MARK_COST * covered))
+                Some((inside, at, cost + pushed + passed + MARK_COST * covered))
             })
-            .min_by(|a, b| a.1.total_cmp(&b.1));
-        if let Some((centre, _)) = best {
+            .min_by(|a, b| a.2.total_cmp(&b.2));
+        if let Some((centre, at, _)) = best {
             taken.push(Box2::around(centre, half + 0.5 * CLEARANCE * point));
-            places[number] = Some(Box2::around(centre, half));
+            let own = Box2::around(centre, half);
+            places[number] = Some(own);
+            leaders[number] = own.leader_to(at, point).filter(|_| label.style.leads);
         }
     }
     let opacity = |number: usize, own: &Box2| {
@@ -137,7 +156,8 @@ pub(super) fn place(
         gaps.fold(1.0, |least: f32, gap| least.min(gap / (FADES_WITHIN * point)))
     };
     let stand = |(number, place): (usize, &Option<Box2>)| {
-        place.as_ref().map(|own| Place { low: own.low.round(), opacity: opacity(number, own) })
+        let leader = leaders[number];
+        place.as_ref().map(|own| Place { low: own.low.round(), opacity: opacity(number, own), leader })
     };
     places.iter().enumerate().map(stand).collect()
 }
@@ -197,7 +217,7 @@ mod tests {
 
     fn label(anchor: Vec3, priority: i32, moves: bool) -> Label {
         let color = Color::hex(0);
-        let style = LabelStyle { size: 20.0, gap: 5.0, priority, moves };
+        let style = LabelStyle { size: 20.0, gap: 5.0, priority, moves, leads: false, is_anywhere: false };
         Label::new(anchor, Vec2::X, "", color, style)
     }
 
@@ -219,6 +239,23 @@ mod tests {
         assert_eq!(opacities(vec![label(Vec3::ZERO, 2, false), label(Vec3::ZERO, 1, true)]), [1.0, 0.0]);
         assert_eq!(opacities(vec![label(Vec3::ZERO, 1, true), label(Vec3::ZERO, 1, true)]), [1.0, 0.0]);
         assert_eq!(opacities(vec![label(Vec3::ZERO, 1, false), label(Vec3::Z * 0.8, 2, true)]), [1.0, 1.0]);
+    }
+
+    #[test]
+    fn a_stroke_leads_from_a_name_to_what_it_names() {
+        let leader = |gap, leads| {
+            let mut pane = Pane::new(Area::WHOLE, Camera::new(0.0, 0.0, 5.0), 0.0);
+            let mut own = label(Vec3::ZERO, 1, false);
+            own.style = LabelStyle { gap, leads, ..own.style };
+            pane.labels.push(own);
+            let pixels = Vec2::new(640.0, 480.0);
+            let places =
+                place(&pane, &PaneUniform::new(&pane, pixels, 1.0), &[Vec2::new(60.0, 20.0)], &[], pixels, 1.0);
+            places[0].and_then(|place| place.leader)
+        };
+        // From the left edge of the name, 3 points off, to the middle of the picture.
+        assert_eq!(leader(20.0, true), Some([Vec2::new(337.0, 240.0), Vec2::new(320.0, 240.0)]));
+        assert_eq!((leader(20.0, false), leader(5.0, true)), (None, None));
     }
 
     #[test]

@@ -4,15 +4,19 @@ use glam::Vec2;
 
 use super::glyphs::{Glyphs, PlacedGlyph, TextLine};
 use super::labels::{self, Box2};
+use super::line;
 use super::notes::{self, PlacedNote};
 use super::overlay::{Kind, Quad, QuadData};
-use super::pane::PaneUniform;
+use super::pane::{PaneUniform, Projection};
 use super::targets::extent;
-use crate::frame::{Color, Frame, Pane, PlacedName};
+use crate::frame::{Color, Frame, Line, Pane, PlacedName};
 
 /// Radius of the halo (points).
 pub(super) const HALO: f32 = 2.4;
 pub(super) const HALO_OPACITY: f32 = 0.8;
+/// Width of a leader (points), and its opacity.
+const LEADER_WIDTH: f32 = 1.5;
+const LEADER: f32 = 0.75;
 
 /// Lays out the texts of a frame.
 pub(super) struct Texts {
@@ -54,6 +58,11 @@ impl Texts {
             let low = corner + label.low;
             PlacedName { text: label.text.to_owned(), low, high: low + Vec2::from_array(label.line.extent) }
         }));
+        let screen = PaneUniform::flat(Vec2::new(uniform.metrics.x, uniform.metrics.y), point);
+        let screen = Projection::new(&screen, corner);
+        for leader in labels.iter().filter_map(|label| label.leader.as_ref()) {
+            line::append(leader, 0.0, &screen, point, corners);
+        }
         let texts = labels.iter().map(|label| (&label.line, label.low, label.color));
         let texts: Vec<_> = texts.chain(notes.iter().map(|note| (&note.line, note.low, note.color))).collect();
         let halo = background.alpha(HALO_OPACITY);
@@ -111,6 +120,8 @@ pub(super) struct SeenLabel<'a> {
     pub(super) low: Vec2,
     /// Its colour there.
     pub(super) color: Color,
+    /// The stroke to what it names, in the same pixels.
+    pub(super) leader: Option<Line>,
 }
 
 /// The labels of a pane that are seen. The notes are kept free of them.
@@ -130,7 +141,10 @@ pub(super) fn lay_out_labels<'a>(
     let placed = pane.labels.iter().zip(lines).zip(places);
     let seen = placed.filter_map(|((label, line), place)| {
         let place = place?;
-        Some(SeenLabel { text: &label.text, line, low: place.low, color: label.color.fade(place.opacity) })
+        let color = label.color.fade(place.opacity);
+        let leader =
+            place.leader.map(|ends| Line::new(ends.map(|end| end.extend(0.0)), LEADER_WIDTH, color.fade(LEADER)));
+        Some(SeenLabel { text: &label.text, line, low: place.low, color, leader })
     });
     seen.collect()
 }

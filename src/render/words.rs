@@ -26,7 +26,7 @@ pub struct PlacedText {
 pub struct ScreenLayer {
     /// The texts; no halo covers the ink of another.
     pub texts: Vec<PlacedText>,
-    /// The lines of the legend, in pixels from the pane's upper left corner.
+    /// The lines of the legend and from names to what they name, in pixels from the pane's upper left corner.
     pub lines: Vec<Line>,
     /// Its marks, in the same pixels.
     pub markers: Vec<Marker>,
@@ -51,8 +51,9 @@ pub fn screen_layers(frame: &Frame, size: [u32; 2]) -> Vec<ScreenLayer> {
         let pixels = pane.area.extent * picture;
         let uniform = PaneUniform::new(pane, pixels.max(Vec2::ONE), point);
         let notes = notes::lay_out(&pane.notes, &mut glyphs, pixels, point);
-        let (lines, markers) = notes::swatches(&notes, point);
+        let (mut lines, markers) = notes::swatches(&notes, point);
         let labels = lay_out_labels(&mut glyphs, pane, &uniform, &notes, point);
+        lines.extend(labels.iter().filter_map(|label| label.leader.clone()));
         let labels = labels.into_iter().map(|label| (label.line, label.low, label.color));
         let texts = labels.chain(notes.into_iter().map(|note| (note.line, note.low, note.color)));
         let placed = texts.map(|(line, corner, color)| PlacedText { letters: line.letters, corner, color });

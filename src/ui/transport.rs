@@ -5,6 +5,7 @@ use egui::{Align, Layout, RichText, Slider, Ui, vec2};
 use super::icons::{Icon, icon_button};
 use super::keys::{hint_of, keys_of};
 use super::{Command, Look, Timeline, numbers, style, timeline};
+use crate::objects::is_turning_over;
 use crate::physics::MotionClass;
 use crate::physics::poinsot;
 
@@ -142,6 +143,8 @@ fn speed_row(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
 pub(super) fn next_flip(look: &Look<'_>) -> (String, bool) {
     let speed = look.sim.clock.speed;
     let text = match look.timeline.next_flip(look.sim.time(), speed < 0.0) {
+        // No countdown beside words that say it is on its way over.
+        Some(_) if is_turning_over(look.sim) => return ("turning over now".to_owned(), true),
         Some(next) => {
             let wait = (next - look.sim.time()).abs();
             return (format!("next flip in {}", look.duration(wait)), wait < SOON * speed.abs());
