@@ -341,8 +341,6 @@ impl Session {
         }
         if text.lines().any(|line| line.trim_start().starts_with('[') || line.contains('=')) {
             self.open_text("pasted".to_owned(), text);
-        } else {
-            self.say("What was pasted is no scene and no link to one.");
         }
         vec![]
     }
