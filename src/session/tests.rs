@@ -200,6 +200,11 @@ fn a_slider_changes_one_thing_in_scenes_of_every_kind() -> Result<(), SceneError
 fn where_energy_is_lost_one_method_follows_and_no_flip_is_promised() -> Result<(), SceneError> {
     let mut driven = Driven::new("methods")?;
     assert!(driven.session.timeline.first_flip.is_some());
+    // No loss takes nothing away; with some a method that does not know it goes, whoever chose it.
+    let ghosts = driven.session.scene.compare.len();
+    driven.apply(Command::SetEnergyLoss(0.0));
+    assert!(ghosts > 0 && driven.session.scene.compare.len() == ghosts);
+    driven.apply(Command::SetMethod("rk4"));
     driven.apply(Command::SetEnergyLoss(0.05));
     let scene = &driven.session.scene;
     assert_eq!((scene.energy_loss, scene.method.name, scene.compare.len()), (0.05, "magnus4", 0));
@@ -224,6 +229,11 @@ fn where_energy_is_lost_one_method_follows_and_no_flip_is_promised() -> Result<(
     assert!(driven.message().contains("energy_loss -1 is not valid"), "{}", driven.message());
     driven.apply(Command::SetEnergyLoss(0.0));
     assert_eq!((driven.file().motion.energy_loss, driven.session.scene.method.name), (None, "exact-step"));
+    // The one that knows it stays where it was chosen.
+    driven.apply(Command::SetMethod("magnus4"));
+    driven.apply(Command::SetEnergyLoss(0.05));
+    driven.apply(Command::SetEnergyLoss(0.0));
+    assert_eq!(driven.session.scene.method.name, "magnus4");
     Ok(())
 }
 
