@@ -2,6 +2,8 @@
 //!
 //! Nothing is drawn unless something changed, and nothing at all while the window cannot be seen.
 
+mod clipboard;
+mod console;
 mod files;
 mod mapping;
 mod open;
@@ -253,8 +255,10 @@ impl App {
                 }
             }
             Effect::CopyText(text) | Effect::CopyLink(text) => {
-                if let Some(window) = &mut self.window {
-                    window.copy(text);
+                if let Some(window) = &mut self.window
+                    && let Err(why) = window.copy(text.clone())
+                {
+                    self.session.say(format!("Not copied ({why}); it is: {text}"));
                 }
             }
             // Only a page offers it: to a window files are given by dropping them.
@@ -278,6 +282,8 @@ impl ApplicationHandler<Wake> for App {
             Ok(window) => {
                 self.pacer.set_refresh_rate(window.refresh_rate());
                 self.window = Some(window);
+                // Not before: what is in the window's way is said there.
+                console::leave_own();
                 self.wake();
             }
             Err(error) => self.fail(event_loop, error),

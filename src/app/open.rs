@@ -9,6 +9,7 @@ use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 use winit::window::{Fullscreen, Window, WindowAttributes};
 
+use super::clipboard::Clipboard;
 use super::files;
 use super::mapping::Mapping;
 use super::{Wake, WindowError, WindowOptions};
@@ -34,6 +35,7 @@ pub(super) struct OpenWindow {
     stage: Stage,
     instance: wgpu::Instance,
     egui: egui_winit::State,
+    clipboard: Option<Clipboard>,
     window: Arc<Window>,
     is_occluded: bool,
     is_unmapped: bool,
@@ -76,11 +78,12 @@ impl OpenWindow {
         let window = event_loop.create_window(attributes).map_err(|error| WindowError::Display(error.to_string()))?;
         let window = Arc::new(window);
         let (instance, stage) = open_stage(&window, event_loop, options, proxy)?;
-        let mut egui = events(&stage, &window);
+        let clipboard = Clipboard::open(event_loop);
+        let mut egui = events(&stage, &window, clipboard.is_none());
         egui.init_accesskit(event_loop, &window, proxy.clone());
         window.set_visible(true);
         let mapping = Mapping::of(&window);
-        Ok(Self { stage, instance, egui, window, is_occluded: false, is_unmapped: false, mapping, title })
+        Ok(Self { stage, instance, egui, clipboard, window, is_occluded: false, is_unmapped: false, mapping, title })
     }
 
     /// The window with everything on the device made anew.
@@ -90,15 +93,15 @@ impl OpenWindow {
         options: &WindowOptions,
         proxy: &EventLoopProxy<Wake>,
     ) -> Result<Self, WindowError> {
-        let Self { stage, mut egui, window, is_occluded, is_unmapped, mapping, title, .. } = self;
+        let Self { stage, mut egui, clipboard, window, is_occluded, is_unmapped, mapping, title, .. } = self;
         // A window holds one surface at a time.
         drop(stage);
         let (instance, stage) = open_stage(&window, event_loop, options, proxy)?;
         let access = egui.accesskit.take();
         // The panels' textures are gone with the device: those of a new stage are sent again.
-        egui = events(&stage, &window);
+        egui = events(&stage, &window, clipboard.is_none());
         egui.accesskit = access;
-        Ok(Self { stage, instance, egui, window, is_occluded, is_unmapped, mapping, title })
+        Ok(Self { stage, instance, egui, clipboard, window, is_occluded, is_unmapped, mapping, title })
     }
 
     /// Takes the device away, as a driver might.
@@ -175,11 +178,17 @@ impl OpenWindow {
             self.title = title;
         }
         self.scale_text(session.text_size(), session.is_presenting());
-        let input = self.egui.take_egui_input(&self.window);
+        let mut input = self.egui.take_egui_input(&self.window);
+        if let Some(clipboard) = &mut self.clipboard {
+            clipboard.translate(&mut input);
+        }
         let fullscreen = self.window.fullscreen().is_some();
         let around = Around { title: &self.title, real_time_factor, fullscreen };
         let window = &self.window;
-        let drawn = self.stage.draw(input, session, panels, around, || window.pre_present_notify());
+        let mut drawn = self.stage.draw(input, session, panels, around, || window.pre_present_notify());
+        if let Some(clipboard) = &mut self.clipboard {
+            clipboard.take(&mut drawn.platform);
+        }
         self.egui.handle_platform_output_with_event_loop(&self.window, event_loop, drawn.platform);
         if drawn.presented == Presented::SurfaceLost
             && let Ok(surface) = self.instance.create_surface(Arc::clone(&self.window))
@@ -220,8 +229,15 @@ impl OpenWindow {
     }
 
     /// Puts a text on the clipboard.
-    pub(super) fn copy(&mut self, text: String) {
+    ///
+    /// # Errors
+    /// Why the desktop does not take it.
+    pub(super) fn copy(&mut self, text: String) -> Result<(), String> {
+        if let Some(clipboard) = &mut self.clipboard {
+            return clipboard.copy(text);
+        }
         self.egui.set_clipboard_text(text);
+        Ok(())
     }
 
     /// Notes the window's size for the next time.
@@ -260,11 +276,14 @@ fn open_stage(
     Ok((instance, stage))
 }
 
-/// What turns the window's events into the panels'.
-fn events(stage: &Stage, window: &Window) -> egui_winit::State {
+/// What turns the window's events into the panels', the keys that copy and paste only where it `has_clipboard`.
+fn events(stage: &Stage, window: &Window, has_clipboard: bool) -> egui_winit::State {
     let scale = window.scale_factor() as f32;
     let side = Some(stage.gpu().largest_side() as usize);
-    egui_winit::State::new(stage.context().clone(), egui::ViewportId::ROOT, window, Some(scale), None, side)
+    let mut state =
+        egui_winit::State::new(stage.context().clone(), egui::ViewportId::ROOT, window, Some(scale), None, side);
+    state.set_clipboard_shortcuts(has_clipboard);
+    state
 }
 
 /// A size (points) that fits the monitor a window will most likely open on.

@@ -110,6 +110,9 @@ fn ffmpeg() -> Command {
     let mut command = Command::new("ffmpeg");
     #[cfg(unix)]
     std::os::unix::process::CommandExt::process_group(&mut command, 0);
+    // CREATE_NEW_PROCESS_GROUP
+    #[cfg(windows)]
+    std::os::windows::process::CommandExt::creation_flags(&mut command, 0x200);
     command
 }
 
