@@ -71,12 +71,21 @@ fn time_runs_stands_steps_and_goes_anywhere() -> Result<(), SceneError> {
     assert!((driven.session.time() - stood - 0.003).abs() < 1e-12);
     driven.apply(Command::GoTo(7.25));
     assert_eq!(driven.session.time(), 7.25);
+    driven.apply(Command::GoTo(1e9));
+    assert!(driven.message().ends_with("or the closed form, which goes anywhere at once"), "{}", driven.message());
+    assert_eq!(driven.session.time(), 7.25);
     let jumps = driven.session.jumps();
     driven.apply(Command::Reverse);
     assert_ne!(driven.session.jumps(), jumps);
     driven.apply(Command::PlayPause);
     driven.run(1.0);
     assert!((driven.session.time() - 6.25).abs() < 0.0011);
+    // The scrub bar reaches twice as far back as one has been, and no further for its own end.
+    for (time, low) in [(-1.5, -3.0), (-3.0, -3.0), (-4.0, -8.0)] {
+        driven.apply(Command::GoTo(time));
+        assert_eq!(driven.session.timeline.low, low);
+    }
+    driven.apply(Command::GoTo(6.25));
     driven.apply(Command::Faster);
     driven.apply(Command::Faster);
     driven.apply(Command::Slower);
@@ -211,6 +220,9 @@ fn where_energy_is_lost_one_method_follows_and_no_flip_is_promised() -> Result<(
     assert_eq!(driven.session.timeline.first_flip, None);
     driven.apply(Command::NextFlip);
     assert_eq!(driven.message(), "Where energy is lost no flip is known beforehand: let it run.");
+    // What goes anywhere at once knows of no loss: it is no way out.
+    driven.apply(Command::GoTo(1e9));
+    assert!(driven.message().ends_with("ms away: take a longer step"), "{}", driven.message());
     for refused in [Command::SetMethod("buss"), Command::Compare { method: "closed-form", is_on: true }] {
         driven.apply(refused);
         assert!(driven.message().contains("does not know the energy loss of 0.05"), "{}", driven.message());

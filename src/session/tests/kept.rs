@@ -3,7 +3,7 @@
 use web_time::Duration;
 
 use super::Driven;
-use crate::scene::{Layout, SceneError, SceneFile};
+use crate::scene::{Layout, SceneError, SceneFile, Theme};
 use crate::session::{Effect, Slide, built_in};
 use crate::ui::{Command, Pixels};
 
@@ -112,7 +112,7 @@ fn a_scene_that_is_left_and_come_back_to_by_undo_has_its_own_cameras() -> Result
     assert_eq!(driven.session.cameras, own);
 
     // Another scene with no steps, as this is none of them; and another step of the same scene.
-    let plain = [slide("a.toml", "title = 'A'"), slide("b.toml", "title = 'B'")];
+    let plain = [slide("a.toml", "title = 'A'"), slide("b.toml", "[view]\nworld_camera = { azimuth_deg = 10 }")];
     let told = slide("told.toml", "[[step]]\ntext = 'one'\n[[step]]\nworld_camera = { azimuth_deg = 10 }");
     for (place, slides, there) in [("plain", plain.to_vec(), 1), ("told", vec![told], 0)] {
         driven.session.open_slides(place, Ok(slides));
@@ -362,5 +362,20 @@ fn a_folder_is_opened_with_what_is_broken_in_it() -> Result<(), SceneError> {
     assert_eq!(driven.message(), "nowhere: there is nothing");
     driven.session.open_slides("talk/a.toml", Ok(vec![good]));
     assert_eq!((driven.session.title(), driven.session.opened.place), ("One", Some(0)));
+    Ok(())
+}
+
+#[test]
+fn a_preferred_theme_is_worn_where_the_scene_names_none() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    let before = driven.session.revision();
+    driven.session.prefer_theme(Theme::Light);
+    assert_eq!((driven.session.scene.view.theme, driven.session.revision()), (Theme::Light, before + 1));
+    driven.session.prefer_theme(Theme::Light);
+    assert_eq!(driven.session.revision(), before + 1, "nothing to draw again");
+    assert_eq!(driven.file().view.theme, None, "what is saved does not say it");
+    driven.session.open_slides("named", Ok(vec![slide("named", "[view]\ntheme = 'dark'")]));
+    driven.session.prefer_theme(Theme::Light);
+    assert_eq!(driven.session.scene.view.theme, Theme::Dark);
     Ok(())
 }

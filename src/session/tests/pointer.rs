@@ -151,6 +151,12 @@ fn outside_of_the_sphere_nothing_is_picked_but_a_drag_follows_its_outline() -> R
     let before = driven.file().clone();
     driven.apply(Command::Pick(Pixels::new(720.0, 240.0)));
     assert_eq!((driven.file(), driven.session.time()), (&before, 1.5));
+    // The attitude at the start is its own.
+    let text = "[spin]\naxis = 2\ntilt_deg = 20\nrate = 6\nattitude = [0.8, 0.6, 0.0, 0.0]".to_owned();
+    driven.apply(Command::OpenText { name: "turned.toml".to_owned(), text });
+    driven.apply(Command::Pick(Pixels::new(720.0, 240.0)));
+    assert!(driven.file().spin.omega.is_some());
+    assert_eq!(driven.file().spin.attitude, Some([0.8, 0.6, 0.0, 0.0]));
     // Without a view of momentum there is nothing to pick.
     driven.apply(Command::SetLayout(Layout::World));
     let before = driven.file().clone();
