@@ -110,6 +110,8 @@ pub struct Pane {
     pub labels: Vec<Label>,
     /// Texts in the upper left corner, the first one highest.
     pub notes: Vec<Note>,
+    /// Ways on which something moves with its label, drawn or not: names that stand still keep off them.
+    pub ways: Vec<Vec<Vec3>>,
 }
 
 impl Pane {
@@ -117,7 +119,7 @@ impl Pane {
     #[must_use]
     pub fn new(area: Area, camera: Camera, lift: f32) -> Self {
         let (meshes, quadrics, lines, dots, markers) = (vec![], vec![], vec![], vec![], vec![]);
-        Self { area, camera, lift, meshes, quadrics, lines, dots, markers, labels: vec![], notes: vec![] }
+        Self { area, camera, lift, meshes, quadrics, lines, dots, markers, labels: vec![], notes: vec![], ways: vec![] }
     }
 
     /// Adds a surface that is cut by the other one of its kind, where that is drawn: the two are composited together.
@@ -243,8 +245,6 @@ pub struct Line {
     pub dash: Dash,
     /// Factor on the opacity where a surface hides the line; 0 hides it wholly.
     pub hidden: f32,
-    /// Something that moves follows it, with its label: names that stand still keep off it.
-    pub is_followed: bool,
 }
 
 impl Line {
@@ -252,7 +252,7 @@ impl Line {
     #[must_use]
     pub fn new(points: impl IntoIterator<Item = Vec3>, width: f32, color: Color) -> Self {
         let points = points.into_iter().map(|position| LinePoint { position, color }).collect();
-        Self { points, width, dash: Dash::Solid, hidden: 0.0, is_followed: false }
+        Self { points, width, dash: Dash::Solid, hidden: 0.0 }
     }
 
     /// The same line, seen this strongly through surfaces.

@@ -440,17 +440,20 @@ fn the_body_has_turned_as_far_as_is_said() {
     assert!(scene.file.steps.iter().any(|step| step.time == Some(2.715)));
 }
 
-/// The flip, the first scene: the surfaces are as long as is said, M is slow near axis 2 and fast between, and there K is a pass.
+/// The flip, the first scene: the surfaces are as long as is said, the lines apart, M is slow near axis 2 and fast between, and there K is a pass.
 #[test]
 fn the_flip_is_as_is_said() {
     let scene = scene_that_says(
         "flip",
         &[
             "K = M²/2I",
-            "long along 3 and short along 1",
-            "M is on the one above",
-            "the ends of axis 1 (small I) are summits, those of 3 (large I) valleys",
-            "it is uphill to 1 and downhill to 3: a pass",
+            "so least for 1, largest for 3",
+            "The larger I, the longer the arrow of this K",
+            "two lines that never touch",
+            "from near one end of axis 2 to near the other",
+            "Axis 1 (least I, most K) ends in summits, 3 in valleys, 2 (between) in passes",
+            "Beside it M goes from pass to pass",
+            "exactly on an axis M stands still",
             "tenfold every 0.63 s",
             "the same way round all the time",
         ],
@@ -467,6 +470,21 @@ fn the_flip_is_as_is_said() {
     // M keeps to one of the two lines: axis 3 is up in the picture.
     let around: Vec<DVec3> = (0..1_000).map(|n| principal(&scene, exact.momentum(0.02 * f64::from(n)))).collect();
     assert!(around.iter().all(|momentum| momentum.z > 0.0));
+    // The other is the same on the far side: the two touch nowhere, as the plane between them is met by neither. It leads
+    // to within a degree of both ends of axis 2, as near as the tilt at the start.
+    let line: Vec<DVec3> = poinsot::polhode(body, scene.start.body_momentum, 4_096)
+        .into_iter()
+        .map(|momentum| principal(&scene, momentum).normalize())
+        .collect();
+    assert!(line.iter().all(|momentum| momentum.z > 0.0));
+    for end in [DVec3::Y, DVec3::NEG_Y] {
+        let nearest = line.iter().map(|momentum| angle(*momentum, end)).fold(180.0, f64::min);
+        assert!((0.01..1.0).contains(&nearest), "{nearest}");
+    }
+    // On an axis M stands still, within the rounding of one that is not along an edge.
+    for axis in DVec3::AXES {
+        assert_at_most(rate(body.body_from_principal() * axis * ell) / rate(exact.momentum(half)), 1e-12, "on an axis");
+    }
     // ω·L = 2K is above 0.
     assert!(scene.start.energy(body) > 0.0);
     // Along an axis K = M²/2I; of all M of one length it is largest along axis 1 and least along axis 3, and a pass along axis 2.

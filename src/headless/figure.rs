@@ -8,7 +8,7 @@ use crate::render::Gpu;
 use crate::render::png::Remark;
 use crate::scene::Scene;
 use crate::sim::Simulation;
-use crate::vector::{self, FigureOptions, FigureStyle, Shading, Surfaces};
+use crate::vector::{self, FigureOptions, FigureStyle, Shading, Sketch, Surfaces};
 
 /// Points of paper (1/72 in) of a pixel for screens, of which an inch has 96.
 const SCREEN: f64 = 72.0 / 96.0;
@@ -49,41 +49,44 @@ pub fn figure<E: From<HeadlessError>>(
     remarks: &[Remark],
 ) -> Result<Vec<u8>, E> {
     let frame = options.frame(scene, simulation, &Cameras::new(&scene.view));
-    let surfaces = surfaces_in(style, open, &frame, options.size)?;
-    Ok(written(&frame, &surfaces, options.size, (style, format), remarks)?)
+    figure_of(open, &frame, options.size, (style, format), remarks)
 }
 
-/// The surfaces of a frame, on a device that is opened where they are pixels.
-pub(super) fn surfaces_in<E: From<HeadlessError>>(
-    style: FigureStyle,
+/// The same of a frame for figures of this size. Its lines are found out while the device is opened and draws the surfaces.
+pub(super) fn figure_of<E: From<HeadlessError>>(
     open: impl FnOnce() -> Result<Gpu, E>,
     frame: &Frame,
     size: PictureSize,
-) -> Result<Surfaces, E> {
-    match style.shading {
-        Shading::Pixels => Ok(surfaces(&open()?, frame, size)?),
-        Shading::Flat => {
-            let [width, height] = size.pixels;
-            if width.min(height) == 0 || width.max(height) > LARGEST {
-                return Err(HeadlessError::FigureSize { width, height, largest: LARGEST }.into());
-            }
-            Ok(Surfaces::default())
-        }
-    }
-}
-
-/// A frame over its surfaces as the bytes of a file.
-pub(super) fn written(
-    frame: &Frame,
-    surfaces: &Surfaces,
-    size: PictureSize,
     (style, format): (FigureStyle, FigureFormat),
     remarks: &[Remark],
-) -> Result<Vec<u8>, HeadlessError> {
+) -> Result<Vec<u8>, E> {
     let options = figure_options(size, style);
+    if style.shading == Shading::Flat {
+        let [width, height] = size.pixels;
+        if width.min(height) == 0 || width.max(height) > LARGEST {
+            return Err(HeadlessError::FigureSize { width, height, largest: LARGEST }.into());
+        }
+        return Ok(written(Sketch::new(frame, &options), Surfaces::default(), format, remarks)?);
+    }
+    std::thread::scope(|scope| {
+        let sketch = scope.spawn(|| Sketch::new(frame, &options));
+        let surfaces = surfaces(&open()?, frame, size)?;
+        let sketch = sketch.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        Ok(written(sketch, surfaces, format, remarks)?)
+    })
+}
+
+/// A figure over its surfaces as the bytes of a file.
+pub(super) fn written(
+    sketch: Sketch,
+    surfaces: Surfaces,
+    format: FigureFormat,
+    remarks: &[Remark],
+) -> Result<Vec<u8>, HeadlessError> {
+    let options = *sketch.options();
     Ok(match format {
-        FigureFormat::Svg => vector::svg(frame, surfaces, &options, remarks)?.into_bytes(),
-        FigureFormat::Pdf => vector::pdf(frame, surfaces, &options, remarks)?,
+        FigureFormat::Svg => vector::svg(sketch, &surfaces, remarks)?.into_bytes(),
+        FigureFormat::Pdf => vector::pdf(vec![(sketch, surfaces)], &options, remarks)?,
     })
 }
 

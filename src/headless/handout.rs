@@ -9,7 +9,7 @@ use crate::render::Gpu;
 use crate::render::png::{Remark, encode_marked};
 use crate::scene::Scene;
 use crate::sim::Simulation;
-use crate::vector::{self, FigureStyle};
+use crate::vector::{self, FigureOptions, FigureStyle, Sketch};
 
 /// How large a page is.
 #[must_use]
@@ -47,8 +47,7 @@ pub fn page_as_png(gpu: &Gpu, page: &Frame, remarks: &[Remark]) -> Result<Vec<u8
 /// # Errors
 /// See [`HeadlessError`].
 pub fn page_as_svg(gpu: &Gpu, page: &Frame, remarks: &[Remark]) -> Result<Vec<u8>, HeadlessError> {
-    let surfaces = surfaces(gpu, page, page_size())?;
-    written(page, &surfaces, page_size(), (FigureStyle::default(), FigureFormat::Svg), remarks)
+    written(sketch(page), surfaces(gpu, page, page_size())?, FigureFormat::Svg, remarks)
 }
 
 /// All pages as the bytes of one PDF file.
@@ -58,7 +57,17 @@ pub fn page_as_svg(gpu: &Gpu, page: &Frame, remarks: &[Remark]) -> Result<Vec<u8
 pub fn pages_as_pdf(gpu: &Gpu, pages: &[Frame], remarks: &[Remark]) -> Result<Vec<u8>, HeadlessError> {
     let mut drawn = vec![];
     for page in pages {
-        drawn.push((page, surfaces(gpu, page, page_size())?));
+        drawn.push((sketch(page), surfaces(gpu, page, page_size())?));
     }
-    Ok(vector::pdf_of_pages(&drawn, &figure_options(page_size(), FigureStyle::default()), remarks)?)
+    Ok(vector::pdf(drawn, &options(), remarks)?)
+}
+
+/// The lines, marks and texts of a page.
+fn sketch(page: &Frame) -> Sketch {
+    Sketch::new(page, &options())
+}
+
+/// How a page is written.
+fn options() -> FigureOptions {
+    figure_options(page_size(), FigureStyle::default())
 }

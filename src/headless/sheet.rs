@@ -1,6 +1,6 @@
 //! A sheet of moments: pictures of several times in rows, each under its time, as papers print them.
 
-use super::figure::{FigureFormat, surfaces_in, written};
+use super::figure::{FigureFormat, figure_of};
 use super::paper::{Length, PictureSize};
 use super::shot::{HeadlessError, ShotOptions, Studio};
 use crate::frame::{Area, Color, Frame, Note, Pane};
@@ -215,9 +215,7 @@ impl Sheet {
         (style, format): (FigureStyle, FigureFormat),
         remarks: &[Remark],
     ) -> Result<Vec<u8>, E> {
-        let frame = self.frame(scene, times, options);
-        let surfaces = surfaces_in(style, open, &frame, self.whole)?;
-        Ok(written(&frame, &surfaces, self.whole, (style, format), remarks)?)
+        figure_of(open, &self.frame(scene, times, options), self.whole, (style, format), remarks)
     }
 }
 

@@ -24,10 +24,14 @@ pub(super) fn axes(context: &Context<'_>, pane: &mut Pane) {
             if number == body_axes::started_about(context) && context.shows(&super::ENDS) {
                 let sign = context.body_momentum(context.scene.start.body_momentum)[number].signum();
                 for (end, is_up) in [(sign, true), (-sign, false)] {
-                    name(pane, Vec3::AXES[number] * end, &body_axes::end_name(context, is_up), color, labels::AXIS);
+                    name(pane, axis * end, &body_axes::end_name(context, is_up), color, labels::AXIS);
                 }
             } else {
-                name(pane, Vec3::AXES[number], text, color, labels::AXIS);
+                name(pane, axis, text, color, labels::AXIS);
+                // Where the ends of one axis have names, none is left without.
+                if context.shows(&super::ENDS) {
+                    name(pane, -axis, text, color, labels::AXIS);
+                }
             }
         }
     }

@@ -16,6 +16,9 @@ const STUB: f32 = 0.16;
 /// How much of an axis must look towards the eye for its number to be seen whole.
 const FACING: f32 = 0.12;
 
+/// How much of an end looks away from the eye where its name begins to fade, and where it is gone.
+const BEHIND: std::ops::Range<f32> = 0.4..0.65;
+
 /// What the axes are called.
 pub(super) const NUMBERS: [&str; 3] = ["1", "2", "3"];
 
@@ -47,8 +50,12 @@ pub(super) fn ends(context: &Context<'_>, pane: &mut Pane) {
     let number = started_about(context);
     let sign = context.body_momentum(context.scene.start.body_momentum)[number].signum();
     let axis = world_from_principal(context, context.simulation.state()).col(number) * sign;
+    let eye = pane.camera.eye().normalize_or_zero();
     for (axis, is_up) in [(axis, true), (-axis, false)] {
-        stub(context, pane, axis, &end_name(context, is_up), context.palette.ink, 0.15);
+        // Over the body, the name of an end behind it would be read as that of the side in front.
+        let seen = 1.0 - (-axis.dot(eye) - BEHIND.start) / (BEHIND.end - BEHIND.start);
+        let color = context.palette.ink.fade(seen.clamp(0.0, 1.0));
+        stub(context, pane, axis, &end_name(context, is_up), color, 0.15);
     }
 }
 

@@ -162,6 +162,9 @@ const ELLIPSOID: Object = object(
     surfaces::ellipsoid,
     "The ellipsoid of all momenta of the same energy",
 );
+/// The path of M.
+const POLHODE: Object =
+    object("polhode", "Polhode", Momentum, true, polhode::draw, "The path of M: where sphere and ellipsoid cross");
 /// The border, beside which the second of those lines would run.
 const SEPARATRIX: Object = object(
     "separatrix",
@@ -416,7 +419,7 @@ pub static OBJECTS: &[Object] = &[
         cloud::points,
         "Starts close together round each axis, all followed exactly",
     ),
-    object("polhode", "Polhode", Momentum, true, polhode::draw, "The path of M: where sphere and ellipsoid cross"),
+    POLHODE,
     object(
         "ghost-marks",
         "M of the other methods",

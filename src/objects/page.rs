@@ -75,6 +75,10 @@ pub fn build_page(scene: &Scene, simulation: &Simulation, has_answer: bool) -> F
     for pane in &mut frame.panes {
         let Area { corner, extent } = pane.area;
         pane.area = Area { corner: middle.corner + corner * middle.extent, extent: extent * middle.extent };
+        // On paper nothing moves: what would pass a name at other times stands where it is.
+        if !pane.ways.is_empty() {
+            pane.ways = pane.markers.iter().filter(|mark| mark.moves).map(|mark| vec![mark.position]).collect();
+        }
     }
     let head = Area { corner: Vec2::ZERO, extent: Vec2::new(1.0, top) };
     let mut pane = Pane::new(head, *Cameras::new(&scene.view).of(Space::World), 0.0);

@@ -40,6 +40,5 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
         let opposite = points.iter().map(|point| -point);
         pane.lines.push(Line::new(opposite, 2.0, context.palette.polhode.alpha(0.6)).through(0.4));
     }
-    let line = Line::new(points, 4.5, context.palette.polhode).through(0.4);
-    pane.lines.push(Line { is_followed: true, ..line });
+    pane.lines.push(Line::new(points, 4.5, context.palette.polhode).through(0.4));
 }

@@ -4,9 +4,12 @@ use glam::{Vec2, Vec3};
 
 use super::{Context, arrow, labels};
 use crate::frame::{Label, Line, LinePoint, Mark, Marker, Pane};
+use crate::physics::poinsot;
 
 /// Points of the tail.
 const TAIL_POINTS: u32 = 40;
+/// Points of the way on which the names of other things keep clear of M, about evenly in arc.
+const WAY_POINTS: usize = 96;
 
 /// M as an arrow, its tip as a ball.
 pub(super) fn tip(context: &Context<'_>, pane: &mut Pane) {
@@ -19,6 +22,12 @@ pub(super) fn tip(context: &Context<'_>, pane: &mut Pane) {
     let rim = context.palette.background;
     pane.markers.push(Marker { position: tip, size: 17.0, mark: Mark::Disc, color, rim, hidden: 0.55, moves: true });
     pane.labels.push(Label::new(tip, Vec2::new(0.6, 1.0), "M", color, labels::TIP));
+    // Near the border it comes by most names of the map, which are best beside what they name.
+    let is_on_a_map = context.shows(&super::SEPARATRIX) && !context.shows(&super::POLHODE);
+    if let Some(unit) = context.unit_momentum().filter(|_| !is_on_a_map) {
+        let way = poinsot::polhode(context.simulation.body(), unit, WAY_POINTS);
+        pane.ways.push(way.into_iter().map(|m| context.principal(m)).collect());
+    }
 }
 
 /// Where M was a moment ago, fading.

@@ -162,19 +162,19 @@ pub(super) fn place(
     places.iter().enumerate().map(stand).collect()
 }
 
-/// At each of some places along the lines that are followed: what then stands in the way of labels that stand still, with
+/// At each of some places along the ways: what then stands in the way of labels that stand still, with
 /// the distance within which they fade before it.
 fn passing(pane: &Pane, extents: &[Vec2], point: f32, project: impl Fn(Vec3) -> Option<Vec2>) -> Vec<Vec<Box2>> {
     let mut passing = vec![];
-    for line in pane.lines.iter().filter(|line| line.is_followed) {
-        let follows = |at: Vec3| line.points.iter().any(|on| on.position.distance(at) < FOLLOWS_WITHIN);
+    for way in &pane.ways {
+        let follows = |at: Vec3| way.iter().any(|on| on.distance(at) < FOLLOWS_WITHIN);
         let markers = pane.markers.iter().filter(|marker| marker.moves && follows(marker.position));
         let markers: Vec<Vec2> = markers.map(|marker| Vec2::splat(0.5 * marker.size * point)).collect();
         let labels = pane.labels.iter().zip(extents).filter(|(label, _)| label.style.moves && follows(label.anchor));
         let labels: Vec<(&Label, Vec2)> = labels.map(|(label, extent)| (label, 0.5 * *extent)).collect();
         let rim = Vec2::splat(FADES_WITHIN * point);
-        let every = line.points.len().div_ceil(PLACES).max(1);
-        for at in line.points.iter().step_by(every).filter_map(|on| project(on.position)) {
+        let every = way.len().div_ceil(PLACES).max(1);
+        for at in way.iter().step_by(every).filter_map(|on| project(*on)) {
             let beside = |(label, half): &(&Label, Vec2)| {
                 let wanted = candidates(label, (at, label.toward), *half, point).next();
                 wanted.map(|(centre, _)| Box2::around(centre, *half + rim))
@@ -211,7 +211,7 @@ fn candidates(
 mod tests {
     use super::place;
     use crate::camera::Camera;
-    use crate::frame::{Area, Color, Label, LabelStyle, Line, Mark, Marker, Pane};
+    use crate::frame::{Area, Color, Label, LabelStyle, Mark, Marker, Pane};
     use crate::render::pane::PaneUniform;
     use glam::{Vec2, Vec3};
 
@@ -262,12 +262,13 @@ mod tests {
     fn a_name_keeps_off_the_way_of_what_will_pass_it() {
         let camera = Camera::new(0.0, 0.0, 5.0);
         let (pixels, extents) = (Vec2::new(640.0, 480.0), [Vec2::new(60.0, 20.0)]);
-        let low = |is_followed| {
+        let low = |is_known: bool| {
             let mut pane = Pane::new(Area::WHOLE, camera, 0.0);
             pane.labels = vec![label(Vec3::ZERO, 1, false)];
             // From the anchor to the right, where the name would like to stand; what moves is at its far end now.
-            let way = (0..=50).map(|n| Vec3::new(0.0, 0.006 * n as f32, 0.0));
-            pane.lines.push(Line { is_followed, ..Line::new(way, 2.0, Color::hex(0)) });
+            if is_known {
+                pane.ways.push((0..=50).map(|n| Vec3::new(0.0, 0.006 * n as f32, 0.0)).collect());
+            }
             let (position, color) = (Vec3::Y * 0.3, Color::hex(0));
             let (mark, rim) = (Mark::Disc, color);
             pane.markers.push(Marker { position, size: 16.0, mark, color, rim, hidden: 0.0, moves: true });

@@ -71,6 +71,8 @@ impl Session {
         if let Err(error) = self.set_at(&file, Some(step)) {
             return self.say(error.to_string());
         }
+        // A question may name what this step has yet to show.
+        self.shown.answer &= self.scene.file.asks_at(Some(step));
         self.origin = self.glides.then(|| Origin { view: before.view.clone(), cameras: seen, begun: self.now });
         self.follow_cameras(&before);
         self.follow_pace(&before);

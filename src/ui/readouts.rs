@@ -31,8 +31,8 @@ pub(super) fn motion(ui: &mut Ui, look: &Look<'_>) {
             MotionClass::AboutAxis1 | MotionClass::AboutAxis3 if is_rounded => {
                 "on the separatrix but for a rounding, which flips it again"
             }
-            MotionClass::AboutAxis1 if flips => "M circles axis 1, past axis 2: it flips",
-            MotionClass::AboutAxis3 if flips => "M circles axis 3, past axis 2: it flips",
+            MotionClass::AboutAxis1 if flips => "it flips: M circles axis 1, past axis 2",
+            MotionClass::AboutAxis3 if flips => "it flips: M circles axis 3, past axis 2",
             other => other.label(),
         },
     );

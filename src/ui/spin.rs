@@ -83,8 +83,8 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         let button = |ui: &mut Ui, name: &str, hint: &str| ui.button(name).on_hover_text(hint).clicked();
         if button(
             ui,
-            "to the separatrix",
-            "A start that flips just once: the border between circling axis 1 and axis 3",
+            "to the border",
+            "A start that flips just once: on the border (separatrix) between circling axis 1 and axis 3",
         ) {
             commands.push(Command::ToSeparatrix);
         }
@@ -125,7 +125,7 @@ fn energy(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         unit: look.energy_unit(),
         range: (least, most),
         logarithmic: None,
-        hint: "Energy K at this momentum: least for the spin about axis 3, most about axis 1; the tick is the separatrix",
+        hint: "Energy K at this momentum: least for the spin about axis 3, most about axis 1; the tick is the border (separatrix) between circling the one and the other",
     };
     let response = row.ui(ui, &mut value, commands);
     if response.changed() {
@@ -137,6 +137,7 @@ fn energy(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     ui.painter().vline(x, slider.y_range().shrink(3.0), Stroke::new(2.0, color));
     // Below the tick, kept within the row.
     let (_, space) = ui.allocate_space(egui::vec2(ui.available_width(), 10.0));
-    let place = egui::pos2(x.clamp(slider.left() + 26.0, slider.right() - 26.0), space.top() - 7.0);
-    ui.painter().text(place, Align2::CENTER_TOP, "separatrix", FontId::proportional(14.5), color);
+    let row = response.rect.x_range().shrink(64.0);
+    let place = egui::pos2(x.min(row.max).max(row.min), space.top() - 7.0);
+    ui.painter().text(place, Align2::CENTER_TOP, "border (separatrix)", FontId::proportional(14.5), color);
 }

@@ -60,32 +60,58 @@ fn is_hollow(pane: &Pane) -> bool {
     pane.quadrics.iter().any(|pair| pair.hollow)
 }
 
-/// The figure of a frame.
-pub(super) fn draw(frame: &Frame, surfaces: &Surfaces, options: &FigureOptions) -> Drawing {
-    let overlays = render::screen_layers(frame, options.size);
-    let mut shapes = vec![];
-    let base = (!frame.transparent).then_some(frame.background);
-    shapes.extend(surfaces.below.as_ref().and_then(|pixels| picture(pixels, frame.transparent, base)));
-    let views: Vec<View<'_>> = frame.panes.iter().map(|pane| View::new(pane, frame, options)).collect();
-    let is_flat = options.style.shading == Shading::Flat;
-    if let Some(pixels) = &surfaces.above {
-        for view in views.iter().filter(|view| is_hollow(view.pane)) {
-            view.group(view.lines(Part::Inside), &mut shapes);
+/// A figure whose surfaces are still to be laid under it: what takes no pixels to find out.
+#[derive(Debug)]
+pub struct Sketch {
+    options: FigureOptions,
+    is_transparent: bool,
+    base: Option<Color>,
+    /// What is seen through the near walls of hollow surfaces.
+    inside: Vec<Shape>,
+    /// What lies over all surfaces.
+    over: Vec<Shape>,
+}
+
+impl Sketch {
+    /// The lines, marks and texts of a frame, and its surfaces where they are areas.
+    #[must_use]
+    pub fn new(frame: &Frame, options: &FigureOptions) -> Self {
+        let overlays = render::screen_layers(frame, options.size);
+        let base = (!frame.transparent).then_some(frame.background);
+        let is_flat = options.style.shading == Shading::Flat;
+        let (mut inside, mut over) = (vec![], vec![]);
+        for (pane, overlay) in frame.panes.iter().zip(&overlays) {
+            let view = View::new(pane, frame, options);
+            let mut drawn = if is_flat { view.surfaces(base.unwrap_or(PAPER)) } else { vec![] };
+            dots::draw(view.pane, &view.sight, &view.projection, &mut drawn);
+            if !is_hollow(view.pane) {
+                drawn.extend(view.lines(Part::Hidden));
+            } else if !is_flat {
+                view.group(view.lines(Part::Inside), &mut inside);
+            }
+            drawn.extend(view.lines(Part::Seen));
+            marks::draw(&view.pane.markers, &view.sight, view.across, &view.projection, &mut drawn);
+            view.overlay(overlay, frame, options, &mut drawn);
+            view.group(drawn, &mut over);
         }
-        shapes.extend(picture(pixels, true, None));
+        Self { options: *options, is_transparent: frame.transparent, base, inside, over }
     }
-    for (view, overlay) in views.iter().zip(&overlays) {
-        let mut drawn = if is_flat { view.surfaces(base.unwrap_or(PAPER)) } else { vec![] };
-        dots::draw(view.pane, &view.sight, &view.projection, &mut drawn);
-        if !is_hollow(view.pane) {
-            drawn.extend(view.lines(Part::Hidden));
-        }
-        drawn.extend(view.lines(Part::Seen));
-        marks::draw(&view.pane.markers, &view.sight, view.across, &view.projection, &mut drawn);
-        view.overlay(overlay, frame, options, &mut drawn);
-        view.group(drawn, &mut shapes);
+
+    /// What it was made by.
+    #[must_use]
+    pub fn options(&self) -> &FigureOptions {
+        &self.options
     }
-    Drawing { size: options.size, background: base, shapes }
+
+    /// The figure, over its surfaces.
+    pub(super) fn over(self, surfaces: &Surfaces) -> Drawing {
+        let mut shapes = vec![];
+        shapes.extend(surfaces.below.as_ref().and_then(|pixels| picture(pixels, self.is_transparent, self.base)));
+        shapes.extend(self.inside);
+        shapes.extend(surfaces.above.as_ref().and_then(|pixels| picture(pixels, true, None)));
+        shapes.extend(self.over);
+        Drawing { size: self.options.size, background: self.base, shapes }
+    }
 }
 
 /// A pane, as it is seen in the figure.

@@ -19,10 +19,9 @@ mod sight;
 mod sight_test;
 mod svg;
 
-use crate::frame::Frame;
 use crate::render::png::{EncodingError, Remark};
 
-pub use figure::{Surfaces, surfaces};
+pub use figure::{Sketch, Surfaces, surfaces};
 
 /// How texts are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -66,41 +65,24 @@ pub struct FigureOptions {
     pub style: FigureStyle,
 }
 
-/// A frame as SVG, over its surfaces drawn as pixels. The remarks are kept in its metadata.
+/// A figure as SVG, over its surfaces drawn as pixels. The remarks are kept in its metadata.
 ///
 /// # Errors
 /// None but for pixels that cannot be encoded.
-pub fn svg(
-    frame: &Frame,
-    surfaces: &Surfaces,
-    options: &FigureOptions,
-    remarks: &[Remark],
-) -> Result<String, EncodingError> {
-    svg::write(&figure::draw(frame, surfaces, options), options, remarks)
+pub fn svg(sketch: Sketch, surfaces: &Surfaces, remarks: &[Remark]) -> Result<String, EncodingError> {
+    let options = *sketch.options();
+    svg::write(&sketch.over(surfaces), &options, remarks)
 }
 
-/// The same as PDF, of one page as large as the figure.
+/// Figures of one size, each over its surfaces, as the pages of one PDF, as large as they are.
 ///
 /// # Errors
 /// None but for pixels that cannot be encoded.
 pub fn pdf(
-    frame: &Frame,
-    surfaces: &Surfaces,
+    pages: Vec<(Sketch, Surfaces)>,
     options: &FigureOptions,
     remarks: &[Remark],
 ) -> Result<Vec<u8>, EncodingError> {
-    pdf::write(&[figure::draw(frame, surfaces, options)], options, remarks)
-}
-
-/// Frames, each over its surfaces, as the pages of one PDF, all of the same size.
-///
-/// # Errors
-/// None but for pixels that cannot be encoded.
-pub fn pdf_of_pages(
-    pages: &[(&Frame, Surfaces)],
-    options: &FigureOptions,
-    remarks: &[Remark],
-) -> Result<Vec<u8>, EncodingError> {
-    let drawings: Vec<_> = pages.iter().map(|(frame, surfaces)| figure::draw(frame, surfaces, options)).collect();
+    let drawings: Vec<_> = pages.into_iter().map(|(sketch, surfaces)| sketch.over(&surfaces)).collect();
     pdf::write(&drawings, options, remarks)
 }
