@@ -452,7 +452,7 @@ fn the_flip_is_as_is_said() {
             "two lines that never touch",
             "from near one end of axis 2 to near the other",
             "Axis 1 (least I, most K) ends in summits, 3 in valleys, 2 (between) in passes",
-            "Beside it M goes from pass to pass",
+            "Beside it M is led along: the flip",
             "exactly on an axis M stands still",
             "tenfold every 0.63 s",
             "the same way round all the time",

@@ -92,8 +92,18 @@ fn descriptor(path: &Path) -> Option<Place> {
     (folder.starts_with("/proc") && folder.ends_with("fd")).then(|| Place::Special(path.to_owned()))
 }
 
-/// Where descriptors have no names.
-#[cfg(not(unix))]
+/// Windows has devices in every folder, by their names: no file can have one of these.
+#[cfg(windows)]
+fn descriptor(path: &Path) -> Option<Place> {
+    let name = path.file_name()?.to_str()?.to_ascii_uppercase();
+    let port = name.strip_prefix("COM").or(name.strip_prefix("LPT"));
+    let is_port = port.is_some_and(|number| matches!(number.as_bytes(), [b'1'..=b'9']));
+    let is_device = is_port || matches!(&*name, "NUL" | "CON" | "PRN" | "AUX" | "CONOUT$");
+    is_device.then(|| Place::Special(path.to_owned()))
+}
+
+/// Where neither descriptors nor devices have names of their own.
+#[cfg(not(any(unix, windows)))]
 fn descriptor(_path: &Path) -> Option<Place> {
     None
 }

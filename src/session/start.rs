@@ -121,10 +121,15 @@ mod tests {
     #[test]
     fn the_separatrix_is_the_separatrix_and_flips_once() -> Result<(), BodyError> {
         let body = body()?;
-        for momentum in [DVec3::new(0.0, 1.0, 0.0), DVec3::new(0.3, -0.6, 0.2), DVec3::new(-0.3, 0.6, 0.2)] {
+        for momentum in
+            [DVec3::new(0.0, 1.0, 0.0), DVec3::new(0.3, -0.6, 0.2), DVec3::new(-0.3, 0.6, 0.2), DVec3::splat(1.0)]
+        {
             let found = on_separatrix(&body, momentum).unwrap_or_default();
             assert_eq!(poinsot::classify(&body, found), MotionClass::Separatrix, "{found}");
-            assert!(poinsot::next_flip(&body, found).is_some(), "{found} must leave the axis");
+            assert!(poinsot::next_flip(&body, found).is_some(), "{found} must flip");
+            // Euler's equation, Ṁ = M×Ω: it leaves the end of the axis that it is near.
+            let rate = found.cross(body.angular_velocity(found));
+            assert!(rate.y * found.y < 0.0, "{found} moves by {rate}");
             // Of the same length and as near to the axis, but for a start on it.
             assert!((found.length() - momentum.length()).abs() < 1e-15 * 4.0, "{found}");
             let nearest = momentum.length() * (1.0 - 1e-6_f64).sqrt();

@@ -72,12 +72,21 @@ fn time_runs_stands_steps_and_goes_anywhere() -> Result<(), SceneError> {
     assert!((driven.session.time() - stood - 0.003).abs() < 1e-12);
     driven.apply(Command::GoTo(7.25));
     assert_eq!(driven.session.time(), 7.25);
+    driven.apply(Command::GoTo(1e9));
+    assert!(driven.message().ends_with("or the closed form, which goes anywhere at once"), "{}", driven.message());
+    assert_eq!(driven.session.time(), 7.25);
     let jumps = driven.session.jumps();
     driven.apply(Command::Reverse);
     assert_ne!(driven.session.jumps(), jumps);
     driven.apply(Command::PlayPause);
     driven.run(1.0);
     assert!((driven.session.time() - 6.25).abs() < 0.0011);
+    // The scrub bar reaches twice as far back as one has been, and no further for its own end.
+    for (time, low) in [(-1.5, -3.0), (-3.0, -3.0), (-4.0, -8.0)] {
+        driven.apply(Command::GoTo(time));
+        assert_eq!(driven.session.timeline.low, low);
+    }
+    driven.apply(Command::GoTo(6.25));
     driven.apply(Command::Faster);
     driven.apply(Command::Faster);
     driven.apply(Command::Slower);
@@ -201,12 +210,20 @@ fn a_slider_changes_one_thing_in_scenes_of_every_kind() -> Result<(), SceneError
 fn where_energy_is_lost_one_method_follows_and_no_flip_is_promised() -> Result<(), SceneError> {
     let mut driven = Driven::new("methods")?;
     assert!(driven.session.timeline.first_flip.is_some());
+    // No loss takes nothing away; with some a method that does not know it goes, whoever chose it.
+    let ghosts = driven.session.scene.compare.len();
+    driven.apply(Command::SetEnergyLoss(0.0));
+    assert!(ghosts > 0 && driven.session.scene.compare.len() == ghosts);
+    driven.apply(Command::SetMethod("rk4"));
     driven.apply(Command::SetEnergyLoss(0.05));
     let scene = &driven.session.scene;
     assert_eq!((scene.energy_loss, scene.method.name, scene.compare.len()), (0.05, "magnus4", 0));
     assert_eq!(driven.session.timeline.first_flip, None);
     driven.apply(Command::NextFlip);
     assert_eq!(driven.message(), "Where energy is lost no flip is known beforehand: let it run.");
+    // What goes anywhere at once knows of no loss: it is no way out.
+    driven.apply(Command::GoTo(1e9));
+    assert!(driven.message().ends_with("ms away: take a longer step"), "{}", driven.message());
     for refused in [Command::SetMethod("buss"), Command::Compare { method: "closed-form", is_on: true }] {
         driven.apply(refused);
         assert!(driven.message().contains("does not know the energy loss of 0.05"), "{}", driven.message());
@@ -225,6 +242,11 @@ fn where_energy_is_lost_one_method_follows_and_no_flip_is_promised() -> Result<(
     assert!(driven.message().contains("energy_loss -1 is not valid"), "{}", driven.message());
     driven.apply(Command::SetEnergyLoss(0.0));
     assert_eq!((driven.file().motion.energy_loss, driven.session.scene.method.name), (None, "exact-step"));
+    // The one that knows it stays where it was chosen.
+    driven.apply(Command::SetMethod("magnus4"));
+    driven.apply(Command::SetEnergyLoss(0.05));
+    driven.apply(Command::SetEnergyLoss(0.0));
+    assert_eq!(driven.session.scene.method.name, "magnus4");
     Ok(())
 }
 

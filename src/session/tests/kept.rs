@@ -3,7 +3,7 @@
 use web_time::Duration;
 
 use super::Driven;
-use crate::scene::{Layout, SceneError, SceneFile};
+use crate::scene::{Layout, SceneError, SceneFile, Theme};
 use crate::session::{Effect, Slide, built_in};
 use crate::ui::{Command, Pixels};
 
@@ -80,6 +80,11 @@ fn a_change_that_is_taken_back_brings_back_its_time() -> Result<(), SceneError> 
     assert_eq!(driven.session.time(), 0.0, "another motion begins at its start");
     driven.apply(Command::Undo);
     assert_eq!(driven.session.time(), 1.25);
+    // Where it is that time already nothing jumps.
+    driven.apply(Command::ToggleTheme);
+    let jumps = driven.session.jumps();
+    driven.apply(Command::Undo);
+    assert_eq!((driven.session.time(), driven.session.jumps()), (1.25, jumps));
     // One that is too many steps away is not caught up with.
     driven.apply(Command::SetMethod("closed-form"));
     driven.apply(Command::GoTo(1e6));
@@ -105,6 +110,19 @@ fn a_scene_that_is_left_and_come_back_to_by_undo_has_its_own_cameras() -> Result
     driven.apply(Command::NextScene);
     driven.apply(Command::Undo);
     assert_eq!(driven.session.cameras, own);
+
+    // Another scene with no steps, as this is none of them; and another step of the same scene.
+    let plain = [slide("a.toml", "title = 'A'"), slide("b.toml", "[view]\nworld_camera = { azimuth_deg = 10 }")];
+    let told = slide("told.toml", "[[step]]\ntext = 'one'\n[[step]]\nworld_camera = { azimuth_deg = 10 }");
+    for (place, slides, there) in [("plain", plain.to_vec(), 1), ("told", vec![told], 0)] {
+        driven.session.open_slides(place, Ok(slides));
+        let own = driven.session.cameras;
+        driven.apply(Command::Orbit { at: Pixels::new(100.0, 100.0), by: Pixels::new(40.0, 0.0) });
+        driven.apply(Command::NextStep);
+        assert_eq!(driven.session.opened.place, Some(there), "{place}");
+        driven.apply(Command::Undo);
+        assert_eq!((driven.session.opened.place, driven.session.cameras), (Some(0), own), "{place}");
+    }
     Ok(())
 }
 
@@ -336,6 +354,7 @@ fn a_folder_is_opened_with_what_is_broken_in_it() -> Result<(), SceneError> {
     assert_eq!((driven.session.title(), driven.message()), ("One", "2 scenes of talk"));
     driven.apply(Command::NextScene);
     assert_eq!((driven.session.title(), driven.file().text.as_str()), ("b", "line 3: no number"));
+    assert_eq!(driven.file().title, "b");
     // Those built in follow.
     driven.apply(Command::NextScene);
     assert_eq!(driven.session.opened.name, built_in()[0].name);
@@ -343,5 +362,20 @@ fn a_folder_is_opened_with_what_is_broken_in_it() -> Result<(), SceneError> {
     assert_eq!(driven.message(), "nowhere: there is nothing");
     driven.session.open_slides("talk/a.toml", Ok(vec![good]));
     assert_eq!((driven.session.title(), driven.session.opened.place), ("One", Some(0)));
+    Ok(())
+}
+
+#[test]
+fn a_preferred_theme_is_worn_where_the_scene_names_none() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    let before = driven.session.revision();
+    driven.session.prefer_theme(Theme::Light);
+    assert_eq!((driven.session.scene.view.theme, driven.session.revision()), (Theme::Light, before + 1));
+    driven.session.prefer_theme(Theme::Light);
+    assert_eq!(driven.session.revision(), before + 1, "nothing to draw again");
+    assert_eq!(driven.file().view.theme, None, "what is saved does not say it");
+    driven.session.open_slides("named", Ok(vec![slide("named", "[view]\ntheme = 'dark'")]));
+    driven.session.prefer_theme(Theme::Light);
+    assert_eq!(driven.session.scene.view.theme, Theme::Dark);
     Ok(())
 }

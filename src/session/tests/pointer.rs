@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3};
 
 use super::Driven;
 use crate::camera::Camera;
-use crate::physics::poinsot;
+use crate::physics::{poinsot, so3};
 use crate::scene::{Layout, SceneError};
 use crate::ui::{Command, Pixels};
 
@@ -52,7 +52,11 @@ fn a_point_picked_on_the_sphere_is_the_one_seen_there() -> Result<(), SceneError
             driven.apply(Command::Hover(Some(at)));
             let preview = driven.session.look(None, false).preview.cloned().ok_or(missing("a preview"))?;
             assert!(preview.at.distance(at) < 0.05, "{size:?}: {} for {at}", preview.at);
+            let length = so3::norm(driven.session.scene.start.body_momentum);
             driven.apply(Command::Pick(at));
+            // The sphere is that of |L|. A few roundings of a momentum that is made an angular velocity, and read again.
+            let kept = so3::norm(driven.session.scene.start.body_momentum);
+            assert!((kept / length - 1.0).abs() < 8.0 * f64::EPSILON, "{kept} of {length}");
             let seen = seen_at(&camera, corner, extent, start(&driven));
             // A twentieth of a pixel: f32 through a projection and back.
             assert!(seen.distance(at) < 0.05, "{size:?}: {seen} for {at}");
@@ -143,9 +147,16 @@ fn outside_of_the_sphere_nothing_is_picked_but_a_drag_follows_its_outline() -> R
     // Nothing that is at rest is set turning by a click.
     let text = "title = 'rest'\n[spin]\nomega = [0.0, 0.0, 0.0]".to_owned();
     driven.apply(Command::OpenText { name: "rest.toml".to_owned(), text });
+    driven.apply(Command::GoTo(1.5));
     let before = driven.file().clone();
     driven.apply(Command::Pick(Pixels::new(720.0, 240.0)));
-    assert_eq!(*driven.file(), before);
+    assert_eq!((driven.file(), driven.session.time()), (&before, 1.5));
+    // The attitude at the start is its own.
+    let text = "[spin]\naxis = 2\ntilt_deg = 20\nrate = 6\nattitude = [0.8, 0.6, 0.0, 0.0]".to_owned();
+    driven.apply(Command::OpenText { name: "turned.toml".to_owned(), text });
+    driven.apply(Command::Pick(Pixels::new(720.0, 240.0)));
+    assert!(driven.file().spin.omega.is_some());
+    assert_eq!(driven.file().spin.attitude, Some([0.8, 0.6, 0.0, 0.0]));
     // Without a view of momentum there is nothing to pick.
     driven.apply(Command::SetLayout(Layout::World));
     let before = driven.file().clone();
