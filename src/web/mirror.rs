@@ -109,14 +109,19 @@ impl Mirror {
         self.parts = parts;
     }
 
-    /// Has a sentence read aloud, once.
-    pub(super) fn say(&mut self, sentence: &str) {
-        if sentence != self.said {
-            sentence.clone_into(&mut self.said);
-            if let Some(live) = dom::element::<Element>("live") {
-                live.set_text_content(Some(sentence));
-            }
+    /// Has a message read aloud, once.
+    pub(super) fn say(&mut self, message: &str) {
+        if message != self.said {
+            message.clone_into(&mut self.said);
+            tell(message);
         }
+    }
+}
+
+/// Has a sentence read aloud.
+pub(super) fn tell(sentence: &str) {
+    if let Some(live) = dom::element::<Element>("live") {
+        live.set_text_content(Some(sentence));
     }
 }
 

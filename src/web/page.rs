@@ -11,7 +11,7 @@ use web_time::Instant;
 
 use super::address::Address;
 use super::inbox::{Happening, Inbox};
-use super::mirror::Mirror;
+use super::mirror::{self, Mirror};
 use super::options::{LIGHT, Options, REDUCED_MOTION};
 use super::touch::{Fingers, Place};
 use super::{cursor, dom, effects, keyboard, message, remember, text_input};
@@ -363,14 +363,12 @@ impl Page {
         let look = self.session.look(None, false);
         let (time, is_backwards) = (look.sim.time(), look.sim.clock.speed < 0.0);
         let passed = self.next_flip.filter(|flip| self.session.is_playing() && (time >= *flip) != is_backwards);
-        let sentence = match (look.message, passed) {
-            (Some(message), _) => message.to_owned(),
-            (None, Some(flip)) => format!("flip at {flip:.1} {}", look.scene.view.time_unit.sign()),
-            (None, None) => String::new(),
-        };
         self.next_flip = look.timeline.next_flip(time, is_backwards);
-        if !sentence.is_empty() {
-            self.mirror.say(&sentence);
+        match (passed, look.message) {
+            // A message that still stands there was read when it came.
+            (Some(flip), _) => mirror::tell(&format!("flip at {flip:.1} {}", look.scene.view.time_unit.sign())),
+            (None, Some(message)) => self.mirror.say(message),
+            (None, None) => {}
         }
     }
 
