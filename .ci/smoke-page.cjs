@@ -185,9 +185,13 @@ const COUNT = () => {
   const scenes = JSON.parse(fs.readFileSync(SCENES)).map((scene) => scene.name);
   check(scenes.length > 5, "the program lists no scenes");
   for (const name of scenes) {
-    const link = async (asked) => { await page.evaluate((asked) => window.postMessage({ dzhanibekov: "open", link: asked }, "*"), asked); await settled(60); return (await state(page)).link; };
+    const link = async (asked) => {
+      await page.evaluate((asked) => window.postMessage({ dzhanibekov: "open", link: asked }, "*"), asked);
+      await until(async () => (await state(page)).link.startsWith(`#${name}`));
+      return (await state(page)).link;
+    };
     const first = await link(`#${name}?time=0.5`);
-    check(first.startsWith(`#${name}`), `#${name} opens ${first}`);
+    check(first.startsWith(`#${name}`) && first.includes("time=0.5"), `#${name} opens ${first}`);
     const again = await link(first);
     check(first === again, `${first} comes back as ${again}`);
   }
