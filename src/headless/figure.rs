@@ -68,10 +68,15 @@ pub(super) fn figure_of<E: From<HeadlessError>>(
         }
         return Ok(written(Sketch::new(frame, &options), Surfaces::default(), format, remarks)?);
     }
+    let sketch = || Sketch::new(frame, &options);
     std::thread::scope(|scope| {
-        let sketch = scope.spawn(|| Sketch::new(frame, &options));
+        // Where no other thread can be had, one after the other.
+        let ahead = std::thread::Builder::new().spawn_scoped(scope, sketch).ok();
         let surfaces = surfaces(&open()?, frame, size)?;
-        let sketch = sketch.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        let sketch = match ahead {
+            Some(thread) => thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+            None => sketch(),
+        };
         Ok(written(sketch, surfaces, format, remarks)?)
     })
 }

@@ -21,9 +21,8 @@ pub(super) fn axes(context: &Context<'_>, pane: &mut Pane) {
         // With its moment or its height it is named there.
         if !context.shows(&super::MOMENTS) && !has_heights(context) {
             let text = body_axes::NUMBERS[number];
-            if number == body_axes::started_about(context) && context.shows(&super::ENDS) {
-                let sign = context.body_momentum(context.scene.start.body_momentum)[number].signum();
-                for (end, is_up) in [(sign, true), (-sign, false)] {
+            if let Some(up) = named_up(context, number) {
+                for (end, is_up) in [(up, true), (-up, false)] {
                     name(pane, axis * end, &body_axes::end_name(context, is_up), color, labels::AXIS);
                 }
             } else {
@@ -57,17 +56,19 @@ pub(super) fn heights(context: &Context<'_>, pane: &mut Pane) {
         return;
     }
     for (number, color) in context.palette.axes.into_iter().enumerate() {
-        let start = context.body_momentum(context.scene.start.body_momentum)[number];
+        let up = named_up(context, number);
         for sign in [1.0, -1.0] {
-            let end = if number == body_axes::started_about(context) && context.shows(&super::ENDS) {
-                if sign * start > 0.0 { " (top)" } else { " (bottom)" }
-            } else {
-                ""
-            };
+            let end = up.map_or_else(String::new, |up| format!(" ({})", body_axes::end_word(sign == up)));
             let text = format!("{}{end}: {}", body_axes::NUMBERS[number], HEIGHTS[number]);
             name(pane, Vec3::AXES[number] * sign, &text, color, labels::MOMENT);
         }
     }
+}
+
+/// The sign of the end of an axis that was up at the start, where the ends of that axis have names.
+fn named_up(context: &Context<'_>, number: usize) -> Option<f32> {
+    let (named, up) = body_axes::up_at_start(context);
+    (number == named && context.shows(&super::ENDS)).then_some(up)
 }
 
 /// Whether the ends of the axes are named by their heights: where two moments are equal none is a pass.

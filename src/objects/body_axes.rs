@@ -47,8 +47,7 @@ pub(super) fn ends(context: &Context<'_>, pane: &mut Pane) {
     if !context.shows(&super::BODY) || context.shows(&super::BODY_AXES) || context.unit_momentum().is_none() {
         return;
     }
-    let number = started_about(context);
-    let sign = context.body_momentum(context.scene.start.body_momentum)[number].signum();
+    let (number, sign) = up_at_start(context);
     let axis = world_from_principal(context, context.simulation.state()).col(number) * sign;
     let eye = pane.camera.eye().normalize_or_zero();
     for (axis, is_up) in [(axis, true), (-axis, false)] {
@@ -61,14 +60,25 @@ pub(super) fn ends(context: &Context<'_>, pane: &mut Pane) {
 
 /// What an end of the axis is called that the body was started about.
 pub(super) fn end_name(context: &Context<'_>, is_up: bool) -> String {
-    let name = if is_up { "top" } else { "bottom" };
-    let number = NUMBERS[started_about(context)];
-    if context.shows(&super::AXIS_NAMES) { format!("{number}: {name}") } else { name.to_owned() }
+    let (number, word) = (NUMBERS[started_about(context)], end_word(is_up));
+    if context.shows(&super::AXIS_NAMES) { format!("{number}: {word}") } else { word.to_owned() }
+}
+
+/// The same in one word.
+pub(super) fn end_word(is_up: bool) -> &'static str {
+    if is_up { "top" } else { "bottom" }
 }
 
 /// The axis, counted from 0, that most of the momentum was along at the start.
 pub(super) fn started_about(context: &Context<'_>) -> usize {
-    context.body_momentum(context.scene.start.body_momentum).abs().max_position()
+    up_at_start(context).0
+}
+
+/// That axis, and the sign of its end that was up then.
+pub(super) fn up_at_start(context: &Context<'_>) -> (usize, f32) {
+    let momentum = context.body_momentum(context.scene.start.body_momentum);
+    let number = momentum.abs().max_position();
+    (number, momentum[number].signum())
 }
 
 /// A short piece of an axis out of the body, this strong where something hides it.

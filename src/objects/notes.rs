@@ -36,17 +36,18 @@ pub(super) fn world(context: &Context<'_>, pane: &mut Pane) {
 /// What flips and what stays, of a body that does.
 pub(super) fn flip(context: &Context<'_>, pane: &mut Pane) {
     let Some(now) = context.unit_momentum().map(|now| context.principal(now)) else { return };
-    let axis = body_axes::started_about(context);
+    let (axis, sign) = body_axes::up_at_start(context);
     let flips = poinsot::flip_period_of(&context.scene.body, &context.scene.start).is_some();
     if axis != MIDDLE || !flips || context.simulation.energy_loss() > 0.0 {
         return;
     }
     // L points up, so that M along an axis is how far that axis points up.
-    let upright = now[axis] * context.body_momentum(context.scene.start.body_momentum)[axis].signum();
-    let way = match upright {
-        _ if is_turning_over(context.simulation) => "turning over",
-        upright if upright > 0.0 => "as at the start",
-        _ => "turned over",
+    let way = if is_turning_over(context.simulation) {
+        "turning over"
+    } else if now[axis] * sign > 0.0 {
+        "as at the start"
+    } else {
+        "turned over"
     };
     note(pane, format!("flips: the body – now {way}"), context.palette.axes[axis]);
     let has_arrow = context.shows(&super::MOMENTUM);

@@ -38,8 +38,7 @@ const TELLING: f64 = 0.95;
 const SHOWN: f64 = 2.5;
 /// Most flips that are marked.
 const MOST_FLIPS: u32 = 12;
-const TICK: LabelStyle =
-    LabelStyle { size: 16.0, gap: 6.0, priority: 3, moves: false, leads: false, is_anywhere: false };
+const TICK: LabelStyle = LabelStyle { size: 16.0, priority: 3, ..labels::FLOOR };
 
 /// The pages of a scene: one a step, or one where it is told as a whole; for print where it says no theme.
 ///

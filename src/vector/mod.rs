@@ -1,5 +1,5 @@
-//! Figures of vectors: a [`Frame`](crate::frame::Frame) as SVG or PDF. Lines, marks and texts are written as what they are, cut where surfaces hide
-//! them by solving for it; the shaded surfaces lie under them as pixels that [`render`](crate::render) has drawn, or as flat areas.
+//! Figures of vectors: a [`Frame`](crate::frame::Frame) as SVG or PDF. Lines, marks and texts are written as what they are, cut
+//! where surfaces hide them by solving for it; the shaded surfaces lie under them as pixels that [`render`](crate::render) has drawn, or as flat areas.
 //!
 //! What is drawn and where is the picture's: the same frame, the same places of labels, the same order.
 
