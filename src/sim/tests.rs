@@ -152,9 +152,13 @@ fn the_history_is_in_order_thins_itself_and_keeps_its_ends() -> Result<(), Scene
         simulation.step(1);
         history.record(&simulation, &exact);
     }
-    // The same time again is nothing new.
+    // The same time again is nothing new, be it the last one or the first.
     history.record(&simulation, &exact);
     assert_eq!(times(&history).len(), 1000);
+    simulation.go_to(times(&history)[0]);
+    history.record(&simulation, &exact);
+    assert_eq!(times(&history).len(), 1000);
+    simulation.go_to(times(&history)[999]);
     for _ in 0..3000 {
         simulation.step(1);
         history.record(&simulation, &exact);
@@ -166,7 +170,10 @@ fn the_history_is_in_order_thins_itself_and_keeps_its_ends() -> Result<(), Scene
     // Thinned, the spacing is that of what is kept: about the time seen over the number of samples.
     let widest = seen.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
     assert!((0.003..0.02).contains(&widest), "{widest}");
-    // Before its beginning it grows the other way.
+    // Before its beginning it grows the other way, no closer than the others lie.
+    simulation.go_to(seen[0] - 0.001);
+    history.record(&simulation, &exact);
+    assert_eq!(times(&history), seen);
     simulation.go_to(-1.0);
     history.jump();
     history.record(&simulation, &exact);

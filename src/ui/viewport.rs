@@ -44,10 +44,12 @@ impl Viewport {
             let way = look.tip? - within(pointer);
             (way.length() < GRASP * scale).then_some(way)
         };
-        // Decided at the press: by the time that it is a drag, M may have run on.
-        let (is_pressed, shift) = ui.input(|input| (input.pointer.primary_pressed(), input.modifiers.shift));
+        // Decided where the press was: by the time that it is a drag, M may have run on, and in a slow frame the pointer too.
+        let (is_pressed, origin, shift) =
+            ui.input(|input| (input.pointer.primary_pressed(), input.pointer.press_origin(), input.modifiers.shift));
         if is_pressed {
-            self.grasp = response.hover_pos().filter(|_| !shift).and_then(to_tip);
+            let is_here = response.hovered() || response.is_pointer_button_down_on();
+            self.grasp = origin.or(response.hover_pos()).filter(|_| is_here && !shift).and_then(to_tip);
         }
         let held = self.grasp.filter(|_| response.dragged_by(PointerButton::Primary));
         if let (Some(way), Some(pointer)) = (held, response.interact_pointer_pos()) {
@@ -62,7 +64,7 @@ impl Viewport {
         {
             let by = response.drag_delta();
             // The view that the drag began in keeps it, also where the pointer leaves that view.
-            let origin = ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer);
+            let origin = origin.unwrap_or(pointer);
             if by != Vec2::ZERO {
                 let (at, by) = (within(origin), pixels(by));
                 let pans = shift || !response.dragged_by(PointerButton::Primary);
