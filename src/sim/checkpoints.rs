@@ -63,3 +63,39 @@ impl Checkpoints {
 fn is_on_the_way(step: i64, target: i64) -> bool {
     step == 0 || step.signum() == target.signum() && step.abs() <= target.abs()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Checkpoints;
+    use crate::physics::{Integration, MethodError};
+    use crate::scene::{Scene, SceneError, SceneFile};
+    use crate::sim::Simulation;
+    use crate::sim::tests::LOSING;
+
+    fn integration() -> Result<Integration, SceneError> {
+        let simulation = Simulation::new(&Scene::check(&SceneFile::parse(LOSING)?)?);
+        let method = simulation.main().method();
+        Ok(Integration::with_energy_loss(method, simulation.body(), *simulation.start(), 0.01, 0.05))
+    }
+
+    /// What makes a way back short: places evenly on the way, kept while time goes to and fro on one side of the start.
+    #[test]
+    fn places_lie_evenly_and_stay_until_the_other_side_is_asked_for() -> Result<(), SceneError> {
+        let mut integration = integration()?;
+        let mut checkpoints = Checkpoints::new(&integration);
+        let places = |checkpoints: &Checkpoints| checkpoints.kept.iter().map(Integration::steps).collect::<Vec<_>>();
+        let mut go_to = |checkpoints: &mut Checkpoints, target| -> Result<i64, MethodError> {
+            checkpoints.go_to(&mut integration, target)?;
+            Ok(integration.steps())
+        };
+        assert_eq!(go_to(&mut checkpoints, 300).ok(), Some(300));
+        assert_eq!(places(&checkpoints), [0, 64, 128, 192, 256]);
+        assert_eq!(go_to(&mut checkpoints, 100).ok(), Some(100));
+        assert_eq!(places(&checkpoints), [0, 64, 128, 192, 256]);
+        assert_eq!(go_to(&mut checkpoints, -70).ok(), Some(-70));
+        assert_eq!(places(&checkpoints), [0, -64]);
+        assert_eq!(go_to(&mut checkpoints, 10).ok(), Some(10));
+        assert_eq!(places(&checkpoints), [0]);
+        Ok(())
+    }
+}

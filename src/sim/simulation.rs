@@ -313,3 +313,21 @@ impl Simulation {
         motion::momentum_error(&self.start, self.state())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::{Scene, SceneError, SceneFile};
+    use crate::sim::Simulation;
+    use crate::sim::tests::LOSING;
+
+    /// Where energy is lost a time is gone to by whole steps, which stay behind as the place to go on from.
+    #[test]
+    fn a_time_leaves_the_steps_before_it_behind() -> Result<(), SceneError> {
+        let mut simulation = Simulation::new(&Scene::check(&SceneFile::parse(LOSING)?)?);
+        for (time, steps) in [(2.345, 234), (0.505, 50), (-0.605, -60)] {
+            simulation.go_to(time);
+            assert_eq!(simulation.main().integration.steps(), steps, "{time}");
+        }
+        Ok(())
+    }
+}
