@@ -483,6 +483,17 @@ fn messages_go_by_themselves() -> Result<(), SceneError> {
     Ok(())
 }
 
+/// A part of another page is the picture alone, and greets nobody.
+#[test]
+fn embedded_it_is_the_picture_alone() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.session.say("Welcome.");
+    driven.session.embed();
+    let shown = &driven.session.shown;
+    assert!(shown.embedded && !shown.panel && !shown.slide && driven.message().is_empty());
+    Ok(())
+}
+
 #[test]
 fn a_scene_without_a_name_comes_back_and_is_said_by_what_differs() -> Result<(), SceneError> {
     let now = Instant::now();
