@@ -443,7 +443,9 @@ fn a_presenters_choices_stay_from_scene_to_scene() -> Result<(), SceneError> {
 fn a_time_is_asked_for_until_one_is_gone_to() -> Result<(), SceneError> {
     let mut driven = Driven::new("flip")?;
     driven.apply(Command::PlayPause);
+    driven.session.say("Words where the field will be.");
     driven.apply(Command::AskTime);
+    assert!(driven.message().is_empty());
     assert!(driven.session.shown.asking_time && !driven.redraws(Command::AskTime));
     driven.apply(Command::AskNothing);
     assert!(!driven.session.shown.asking_time);
