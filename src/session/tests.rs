@@ -450,7 +450,10 @@ fn a_time_is_asked_for_until_one_is_gone_to() -> Result<(), SceneError> {
     driven.apply(Command::AskNothing);
     assert!(!driven.session.shown.asking_time);
     driven.apply(Command::AskTime);
+    let jumps = driven.session.jumps();
     driven.apply(Command::GoTo(-2.5));
+    // Whoever draws it in between is told that nothing lies between.
+    assert_eq!(driven.session.jumps(), jumps + 1);
     assert_eq!((driven.session.time(), driven.session.shown.asking_time), (-2.5, false));
     Ok(())
 }
