@@ -59,6 +59,14 @@ impl Checkpoints {
     }
 }
 
+#[cfg(test)]
+impl Checkpoints {
+    /// The steps of the places, counted from the start.
+    pub(super) fn places(&self) -> Vec<i64> {
+        self.kept.iter().map(Integration::steps).collect()
+    }
+}
+
 /// Whether a step lies between the start and another, or is that one.
 fn is_on_the_way(step: i64, target: i64) -> bool {
     step == 0 || step.signum() == target.signum() && step.abs() <= target.abs()
@@ -66,7 +74,7 @@ fn is_on_the_way(step: i64, target: i64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::Checkpoints;
+    use super::{Checkpoints, MOST};
     use crate::physics::{Integration, MethodError};
     use crate::scene::{Scene, SceneError, SceneFile};
     use crate::sim::Simulation;
@@ -83,19 +91,26 @@ mod tests {
     fn places_lie_evenly_and_stay_until_the_other_side_is_asked_for() -> Result<(), SceneError> {
         let mut integration = integration()?;
         let mut checkpoints = Checkpoints::new(&integration);
-        let places = |checkpoints: &Checkpoints| checkpoints.kept.iter().map(Integration::steps).collect::<Vec<_>>();
         let mut go_to = |checkpoints: &mut Checkpoints, target| -> Result<i64, MethodError> {
             checkpoints.go_to(&mut integration, target)?;
             Ok(integration.steps())
         };
         assert_eq!(go_to(&mut checkpoints, 300).ok(), Some(300));
-        assert_eq!(places(&checkpoints), [0, 64, 128, 192, 256]);
+        assert_eq!(checkpoints.places(), [0, 64, 128, 192, 256]);
         assert_eq!(go_to(&mut checkpoints, 100).ok(), Some(100));
-        assert_eq!(places(&checkpoints), [0, 64, 128, 192, 256]);
+        assert_eq!(checkpoints.places(), [0, 64, 128, 192, 256]);
         assert_eq!(go_to(&mut checkpoints, -70).ok(), Some(-70));
-        assert_eq!(places(&checkpoints), [0, -64]);
+        assert_eq!(checkpoints.places(), [0, -64]);
         assert_eq!(go_to(&mut checkpoints, 10).ok(), Some(10));
-        assert_eq!(places(&checkpoints), [0]);
+        assert_eq!(checkpoints.places(), [0]);
+        // As many as there may be, and then half of them.
+        assert_eq!(go_to(&mut checkpoints, 0).ok(), Some(0));
+        let full = 64 * (MOST as i64 - 1);
+        assert_eq!(go_to(&mut checkpoints, full).ok(), Some(full));
+        assert_eq!(checkpoints.places().len(), MOST);
+        assert_eq!(go_to(&mut checkpoints, full + 64).ok(), Some(full + 64));
+        let half: Vec<i64> = (0..=MOST as i64 / 2).map(|place| 128 * place).collect();
+        assert_eq!(checkpoints.places(), half);
         Ok(())
     }
 }

@@ -316,17 +316,21 @@ impl Simulation {
 
 #[cfg(test)]
 mod tests {
+    use super::{Checkpoints, Runner};
     use crate::scene::{Scene, SceneError, SceneFile};
     use crate::sim::Simulation;
     use crate::sim::tests::LOSING;
 
-    /// Where energy is lost a time is gone to by whole steps, which stay behind as the place to go on from.
+    /// Where energy is lost a time is gone to by whole steps, which leave places behind to go back to.
     #[test]
-    fn a_time_leaves_the_steps_before_it_behind() -> Result<(), SceneError> {
+    fn a_way_with_loss_leaves_places_behind() -> Result<(), SceneError> {
         let mut simulation = Simulation::new(&Scene::check(&SceneFile::parse(LOSING)?)?);
-        for (time, steps) in [(2.345, 234), (0.505, 50), (-0.605, -60)] {
+        assert_eq!(simulation.energy_loss(), 0.05);
+        for (time, steps, places) in [(2.345, 234, vec![0, 64, 128, 192]), (-0.705, -70, vec![0, -64])] {
             simulation.go_to(time);
-            assert_eq!(simulation.main().integration.steps(), steps, "{time}");
+            let Runner { integration, checkpoints, .. } = simulation.main();
+            assert_eq!(integration.steps(), steps, "{time}");
+            assert_eq!(checkpoints.as_ref().map(Checkpoints::places), Some(places), "{time}");
         }
         Ok(())
     }
