@@ -1,8 +1,9 @@
 //! What can stand for a key: each type of a scene's fields read from a value, and written as one.
 
 use super::keys::{Key, SOLID_KEYS, STEP_KEYS};
-use super::value::{Entry, Item, Value};
+use super::value::{Entry, Item, Value, whole_of};
 use super::{CameraFile, Layout, PartKind, SolidFile, StepFile, Theme, TimeUnit, read};
+use crate::physics::number;
 
 /// What kind of value a key takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -134,6 +135,11 @@ impl Single for i64 {
     fn read(item: &Item) -> Result<Self, Refused> {
         match item.value {
             Value::Whole(value) => Ok(value),
+            // `1e5` is whole too, and so is 1e300, of which it is not what is wrong.
+            Value::Number(value) => whole_of(value).ok_or_else(|| {
+                let beyond = Value::Beyond(number(value)).described();
+                if value.fract() == 0.0 { Refused::Kind(beyond, item.start) } else { Refused::other(item) }
+            }),
             _ => Err(Refused::other(item)),
         }
     }
@@ -147,8 +153,8 @@ impl Single for u8 {
     const KIND: Kind = Kind::Axis;
     const MANY: Kind = Kind::Axes;
     fn read(item: &Item) -> Result<Self, Refused> {
-        match item.value {
-            Value::Whole(axis @ 1..=3) => Ok(axis as Self),
+        match i64::read(item)? {
+            axis @ 1..=3 => Ok(axis as Self),
             _ => Err(Refused::other(item)),
         }
     }

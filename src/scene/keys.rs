@@ -181,7 +181,7 @@ pub static KEYS: &[Key] = &[
     key!("motion.compare", motion.compare, "", "Methods run beside it from the same start").flag_saying(
         "compare",
         "NAME,NAME",
-        "Methods run beside it from the same start; '' for none",
+        "Methods run beside it from the same start, each once; '' for none",
     ),
     key!(
         "motion.energy_loss",

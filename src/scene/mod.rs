@@ -23,6 +23,7 @@ mod step;
 mod tests;
 mod value;
 mod view;
+mod warnings;
 mod word;
 mod write;
 
@@ -39,3 +40,4 @@ pub use presets::{DEFAULT_PRESET, Preset, preset, presets};
 pub use step::{ALL, Pace, StepFile, Written};
 pub use value::{Entry, Item, Value};
 pub use view::{Layout, Theme, TimeUnit, View};
+pub use word::one_number;

@@ -3,8 +3,8 @@
 use glam::{DMat3, DVec3};
 
 use super::{SceneError, SolidFile};
-use crate::physics::solids::{Shape, Solid, assemble_turned};
-use crate::physics::{Body, so3};
+use crate::physics::solids::{Shape, Solid, SolidError, assemble_turned};
+use crate::physics::{Body, BodyError, number, so3};
 
 /// Thinnest part drawn, as a fraction of its longest extent, where no solid has the moments.
 const THINNEST: f64 = 0.02;
@@ -41,11 +41,28 @@ impl Part {
     }
 }
 
+/// A box of these edges (m) and this mass (kg).
+pub(super) fn of_box(edges: DVec3, mass: f64) -> Result<(Body, Vec<Part>), SceneError> {
+    let body = Body::solid_box(edges, mass).map_err(|error| match error {
+        BodyError::Moment(moment) => {
+            let [a, b, c] = edges.to_array().map(number);
+            SceneError::MomentOutOfRange { what: format!("a box of {a} x {b} x {c} m and {} kg", number(mass)), moment }
+        }
+        other => other.into(),
+    })?;
+    Ok((body, vec![Part::centred(PartKind::Box, edges, DMat3::IDENTITY)]))
+}
+
 /// The body that solids make, and how they lie about its centre of mass.
 pub(super) fn of_solids(files: &[SolidFile]) -> Result<(Body, Vec<Part>), SceneError> {
     let solids: Vec<Solid> = files.iter().map(solid).collect::<Result<_, _>>()?;
     let turns: Vec<DVec3> = files.iter().map(|file| DVec3::from_array(file.rotation_deg)).collect();
-    let assembly = assemble_turned(&solids, &turns)?;
+    let assembly = assemble_turned(&solids, &turns).map_err(|error| match error {
+        SolidError::Body(BodyError::Moment(moment)) => {
+            SceneError::MomentOutOfRange { what: "the body of these solids".to_owned(), moment }
+        }
+        other => other.into(),
+    })?;
     let parts = files
         .iter()
         .zip(&solids)

@@ -317,7 +317,14 @@ distance = 3
             ),
             ("spin.axis = 4", "line 1: spin.axis is the number 4: it must be 1 (smallest moment), 2 or 3 (largest)"),
             ("spin.axis = 0", "line 1: spin.axis is the number 0: it must be 1 (smallest moment), 2 or 3 (largest)"),
-            ("spin.axis = 2.0", "line 1: spin.axis is the number 2: it must be 1 (smallest moment), 2 or 3 (largest)"),
+            (
+                "spin.axis = 2.5",
+                "line 1: spin.axis is the number 2.5: it must be 1 (smallest moment), 2 or 3 (largest)",
+            ),
+            (
+                "spin.rate = 1e-400",
+                "line 1: spin.rate is the number 1e-400, past the range of numbers: it must be a number (rad/s)",
+            ),
             ("spin.attitude = [1, 0, 0]", "line 1: spin.attitude is an array of 3: it must be an array of 4 numbers"),
             ("order = 1.5", "line 1: order is the number 1.5: it must be a whole number"),
             ("title = 3", "line 1: title is the number 3: it must be a text in quotes"),

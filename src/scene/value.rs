@@ -175,9 +175,23 @@ fn item(value: &Spanned<DeValue<'_>>) -> Item {
 
 fn in_range(text: &str) -> Value {
     match text.parse::<f64>() {
+        Ok(value) if vanishes(text, value) => Value::Beyond(text.to_owned()),
         Ok(value) if value.is_finite() || text.ends_with("inf") || text.ends_with("nan") => Value::Number(value),
         _ => Value::Beyond(text.to_owned()),
     }
+}
+
+/// Whether a number that is not 0 was written and 0 was read: f64 has none as small.
+pub(super) fn vanishes(text: &str, value: f64) -> bool {
+    let digits = text.split(['e', 'E']).next().unwrap_or_default();
+    value == 0.0 && digits.contains(|digit: char| matches!(digit, '1'..='9'))
+}
+
+/// The whole number that a number is, however it was written; none where it is no whole one, or none of 64 bits.
+pub(super) fn whole_of(value: f64) -> Option<i64> {
+    // 2⁶³ itself is one too many.
+    let is_whole = value.fract() == 0.0 && value >= i64::MIN as f64 && value < i64::MAX as f64;
+    is_whole.then_some(value as i64)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! A value as one word of a command line: `1,2,3`, `on`, `buss,rk4`.
 
 use super::field::Kind;
-use super::value::{Item, Value, shortened};
+use super::value::{Item, Value, shortened, vanishes, whole_of};
 use crate::physics::number;
 
 /// Reads the word that stands after a flag.
@@ -10,10 +10,7 @@ pub(super) fn read(kind: Kind, word: &str) -> Result<Item, String> {
         Kind::Text | Kind::Choice(_) => Value::Text(word.to_owned()),
         Kind::Number => Value::Number(one_number(word)?),
         Kind::Numbers(count) => Value::List(numbers(count, word)?),
-        Kind::Whole | Kind::Axis => {
-            let whole = word.trim().parse().map_err(|_| format!("`{}` is not {}", shortened(word), kind.words()))?;
-            Value::Whole(whole)
-        }
+        Kind::Whole | Kind::Axis => whole(word).ok_or_else(|| not_of(kind, word))?,
         Kind::Switch => match word {
             "on" => Value::Switch(true),
             "off" => Value::Switch(false),
@@ -23,9 +20,9 @@ pub(super) fn read(kind: Kind, word: &str) -> Result<Item, String> {
         Kind::Names => Value::List(word.split(',').map(|name| Value::Text(name.trim().to_owned()).into()).collect()),
         Kind::Axes => Value::List(
             word.split(',')
-                .map(|part| part.trim().parse().map(|axis| Value::Whole(axis).into()))
-                .collect::<Result<_, _>>()
-                .map_err(|_| format!("`{}` is not {}", shortened(word), kind.words()))?,
+                .map(|part| whole(part).map(Item::from))
+                .collect::<Option<_>>()
+                .ok_or_else(|| not_of(kind, word))?,
         ),
         Kind::Solids => return Err("solids are given by --set body.solids=[…]".to_owned()),
         Kind::Steps => return Err("steps are given by --set step=[…]".to_owned()),
@@ -63,12 +60,34 @@ fn numbers(count: usize, word: &str) -> Result<Vec<Item>, String> {
     }
 }
 
-fn one_number(word: &str) -> Result<f64, String> {
+/// What is said of a word that is not of a kind.
+fn not_of(kind: Kind, word: &str) -> String {
+    if kind == Kind::Whole && one_number(word).is_ok_and(|value| value.fract() == 0.0) {
+        return format!("`{}` is past the range of whole numbers", shortened(word));
+    }
+    format!("`{}` is not {}", shortened(word), kind.words())
+}
+
+/// A whole number, written as one or with a power.
+fn whole(word: &str) -> Option<Value> {
+    let word = word.trim();
+    let written = word.parse().map(Value::Whole).ok();
+    written.or_else(|| one_number(word).ok().and_then(whole_of).map(Value::Whole))
+}
+
+/// Reads one number, as every flag that takes one does.
+///
+/// # Errors
+/// One sentence: no number, or one that f64 has no place for, as large or as small as it is.
+pub fn one_number(word: &str) -> Result<f64, String> {
     let word = word.trim();
     match word.parse::<f64>() {
         // Of letters only infinity itself is infinite.
         Ok(value) if value.is_infinite() && word.contains(|c: char| c.is_ascii_digit()) => {
             Err(format!("`{}` is past the range of numbers", shortened(word)))
+        }
+        Ok(value) if vanishes(word, value) => {
+            Err(format!("`{}` is past the range of numbers: it is nearer to 0 than any but 0 itself", shortened(word)))
         }
         Ok(value) => Ok(value),
         Err(_) => Err(format!("`{}` is not a number", shortened(word))),
@@ -124,5 +143,20 @@ mod tests {
         assert!(read(Kind::Solids, "x").is_err_and(|why| why.contains("--set body.solids")));
         assert!(read(Kind::Numbers(2), "1,2,x").is_err_and(|why| why == "`x` is not a number"));
         assert!(read(Kind::Numbers(2), "-1e999,2").is_err_and(|why| why.contains("past the range")));
+        let too_small = "`1e-400` is past the range of numbers: it is nearer to 0 than any but 0 itself";
+        assert!(read(Kind::Numbers(2), "1e-400,2").is_err_and(|why| why == too_small));
+        assert!(read(Kind::Axis, "2.5").is_err_and(|why| why.starts_with("`2.5` is not 1 (smallest moment)")));
+        assert!(read(Kind::Whole, "1e300").is_err_and(|why| why == "`1e300` is past the range of whole numbers"));
+    }
+
+    #[test]
+    fn whole_numbers_may_have_a_point_or_a_power() -> Result<(), String> {
+        assert_eq!(read(Kind::Axis, "2.0")?.value, Value::Whole(2));
+        assert_eq!(read(Kind::Whole, "-1e5")?.value, Value::Whole(-100_000));
+        assert_eq!(read(Kind::Axes, "1.0,3")?.value, Value::List(vec![Value::Whole(1).into(), Value::Whole(3).into()]));
+        for zero in ["0", "-0.0", "0e400", "0.000"] {
+            assert!(read(Kind::Number, zero)?.value == Value::Number(0.0), "{zero}");
+        }
+        Ok(())
     }
 }
