@@ -1,6 +1,5 @@
 //! `report`: speed against error, measured on this machine.
 
-use std::fs;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 
@@ -34,9 +33,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
         (None, None) => Some(Path::new(DEFAULT_FOLDER)),
     };
     // Minutes of measuring are not to end in a place that cannot be written.
-    if let Some(folder) = folder {
-        prepare(folder)?;
-    }
+    let made = folder.map(prepare).transpose()?;
     if let Some(file) = &arguments.json {
         check_place(file)?;
     }
@@ -53,6 +50,8 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
     if let Some(folder) = folder {
         write_folder(&report, folder)?;
     }
+    // What holds the report stays.
+    drop(made);
     if let Some(file) = &arguments.json {
         write_text(file, &write::json::write(&report))?;
     }
@@ -84,13 +83,19 @@ fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
 }
 
 /// Makes the folder and tries whether a file can be made in it.
-fn prepare(folder: &Path) -> Result<(), Failure> {
+fn prepare(folder: &Path) -> Result<files::Folder, Failure> {
+    if folder == Path::new("-") {
+        return Err(Failure::request(
+            "- names no folder: name one, or give --json - for the numbers on standard output",
+        ));
+    }
     if folder.exists() && !folder.is_dir() {
         return Err(Failure::request(format!("{} is a file: name a folder", folder.display())));
     }
-    fs::create_dir_all(folder).map_err(|error| io_failure(folder, error))?;
+    let made = files::Folder::make(folder).map_err(|error| io_failure(folder, error))?;
     // Dropped, it is gone.
-    files::Output::create(&folder.join("report.html")).map(|_| ()).map_err(Failure::from)
+    files::Output::create(&folder.join("report.html"))?;
+    Ok(made)
 }
 
 fn read_peers(path: &Path) -> Result<Vec<peers::Peer>, Failure> {

@@ -7,6 +7,7 @@
 //! of a picture that carries one, [`read_scenes`] those of a file or a folder; [`page()`] makes one file of a page's.
 
 mod error;
+mod folder;
 mod new;
 mod output;
 mod page;
@@ -20,6 +21,7 @@ use std::io::Write;
 use std::path::Path;
 
 pub use error::FileError;
+pub use folder::Folder;
 pub use new::write_new;
 pub use output::{Output, Sink};
 pub use page::{is_page, page};

@@ -8,6 +8,19 @@ use std::sync::{Mutex, PoisonError};
 /// Where they are.
 static UNDER_WAY: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
+/// Folders made for what is not whole yet, each after that which it is in.
+static FOLDERS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Remembers a folder that a signal takes away where it is empty.
+pub(super) fn begin_folder(path: &Path) {
+    FOLDERS.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
+}
+
+/// Forgets a folder.
+pub(super) fn end_folder(path: &Path) {
+    FOLDERS.lock().unwrap_or_else(PoisonError::into_inner).retain(|folder| folder != path);
+}
+
 /// Remembers a file that a signal must remove.
 pub(super) fn begin(path: &Path) {
     UNDER_WAY.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned());
@@ -23,6 +36,10 @@ pub fn abandon(last: impl FnOnce()) {
     let files = UNDER_WAY.lock().unwrap_or_else(PoisonError::into_inner);
     for path in files.iter() {
         let _ = fs::remove_file(path);
+    }
+    for path in FOLDERS.lock().unwrap_or_else(PoisonError::into_inner).iter().rev() {
+        // One that holds something stays.
+        let _ = fs::remove_dir(path);
     }
     last();
 }
