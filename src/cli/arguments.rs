@@ -9,7 +9,7 @@ use clap::ValueEnum;
 
 use dzhanibekov::files;
 use dzhanibekov::scene::link::{self, Link};
-use dzhanibekov::scene::{DEFAULT_PRESET, Edit, Edits, Scene, SceneError, SceneFile, flags, preset};
+use dzhanibekov::scene::{DEFAULT_PRESET, Edit, Edits, Scene, SceneError, SceneFile, flags, one_number, preset};
 
 use super::failure::{Failure, say};
 use super::flags::{SceneFlags, ViewFlags as ViewArguments};
@@ -27,7 +27,8 @@ pub(super) struct SceneArguments {
     scene: Option<PathBuf>,
     #[command(flatten)]
     flags: SceneFlags,
-    /// Any key of a scene file (`dzhanibekov keys` lists them), the value as in TOML: spin.attitude=[1,0,0,0]
+    /// Any key of a scene file (`dzhanibekov keys` lists them), the value as in TOML: spin.attitude=[1,0,0,0]. With no value, as
+    /// in spin.rate=, what the scene says under the key is taken away
     #[arg(long, value_name = "KEY=VALUE", value_parser = Edit::set, help_heading = "Scene")]
     set: Vec<Edit>,
     /// What SCENE says, once it is read: a pipe is read once.
@@ -44,10 +45,10 @@ pub(super) struct PictureArguments {
     #[command(flatten)]
     pub(super) view: ViewArguments,
     /// Simulated time shown (s), 0 where left out; of a recording, its first frame's
-    #[arg(long, value_name = "T", allow_hyphen_values = true, help_heading = "Picture")]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = one_number, help_heading = "Picture")]
     time: Option<f64>,
     /// Step of the scene, counted from 1; the scene as a whole where left out
-    #[arg(long, value_name = "N", allow_hyphen_values = true, help_heading = "Picture")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = count, help_heading = "Picture")]
     scene_step: Option<usize>,
     #[command(flatten)]
     pub(super) size: SizeArguments,
@@ -300,16 +301,44 @@ fn check(file: &SceneFile, at: Option<usize>) -> Result<Scene, SceneError> {
 
 /// Reads numbers with commas between them.
 pub(super) fn number_list(text: &str) -> Result<Vec<f64>, String> {
-    text.split(',').map(|part| part.trim().parse().map_err(|_| format!("`{}` is not a number", part.trim()))).collect()
+    text.split(',').map(one_number).collect()
+}
+
+/// Reads a count, or a place that is counted from 1.
+pub(super) fn count(text: &str) -> Result<usize, String> {
+    let wanted = "a whole number from 1 is wanted, as in 2";
+    text.trim().parse().ok().filter(|count| *count > 0).ok_or_else(|| wanted.to_owned())
 }
 
 /// Reads a size as 1280x720.
 pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
-    let wanted = "a size is two whole numbers above 0, as in 1280x720";
+    let wanted = "a size is two whole numbers above 0 and below 2^32, as in 1280x720";
     let (width, height) = text.split_once(['x', 'X', '×']).ok_or(wanted)?;
     let both = [width, height].map(|side| side.trim().parse::<u32>().ok().filter(|pixels| *pixels > 0));
     match both {
         [Some(width), Some(height)] => Ok([width, height]),
         _ => Err(wanted.to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{count, number_list, size};
+
+    #[test]
+    fn numbers_of_flags_are_read_or_refused_with_what_is_wanted() {
+        assert_eq!(count(" 2 "), Ok(2));
+        for text in ["0", "-1", "1.5", "x", "", "99999999999999999999999"] {
+            assert!(count(text).is_err_and(|why| why.starts_with("a whole number from 1")), "{text}");
+        }
+        assert_eq!(size("1280x720"), Ok([1280, 720]));
+        for text in ["0x0", "-1x5", "12", "4294967296x1", "1.5x2"] {
+            assert!(size(text).is_err_and(|why| why.contains("above 0 and below 2^32")), "{text}");
+        }
+        assert_eq!(number_list("1, 2e3"), Ok(vec![1.0, 2000.0]));
+        assert_eq!(number_list("1,x"), Err("`x` is not a number".to_owned()));
+        for text in ["0,1e400", "-1e-400"] {
+            assert!(number_list(text).is_err_and(|why| why.contains("is past the range of numbers")), "{text}");
+        }
     }
 }

@@ -8,6 +8,7 @@ use dzhanibekov::frame::Frame;
 use dzhanibekov::headless::{ShotOptions, page, page_as_png, page_as_svg, page_size, pages_as_pdf};
 use dzhanibekov::objects::{page_time, pages};
 use dzhanibekov::render::png::Remark;
+use dzhanibekov::scene::one_number;
 
 use super::arguments::SceneArguments;
 use super::failure::Failure;
@@ -29,7 +30,7 @@ pub(super) struct HandoutArguments {
     #[arg(short, long, value_name = "FILE.pdf|.png|.svg")]
     output: PathBuf,
     /// Simulated time shown (s) where a step says none; just before the first flip where left out
-    #[arg(long, value_name = "T", allow_hyphen_values = true, help_heading = "Picture")]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = one_number, help_heading = "Picture")]
     time: Option<f64>,
     /// With the answer below the question
     #[arg(long, help_heading = "Picture")]

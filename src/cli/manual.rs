@@ -26,6 +26,9 @@ pub(super) fn man() -> Result<(), Failure> {
     let mut text = vec![];
     let failed = |error| Failure::could_not(format!("the man page could not be made: {error}"));
     clap_mangen::Man::new(command.clone()).render(&mut text).map_err(failed)?;
+    // Flags and a scene are the window's; those of a command stand behind it.
+    let commands = "\n.br\n\\fBdzhanibekov\\fR \\fICOMMAND\\fR [\\fIOPTIONS\\fR]";
+    let mut text = String::from_utf8_lossy(&text).replacen(" [\\fIsubcommands\\fR]", commands, 1).into_bytes();
     for part in command.get_subcommands().filter(|part| !part.is_hide_set()) {
         let man = clap_mangen::Man::new(part.clone().display_name(format!("dzhanibekov {}", part.get_name())));
         man.render_synopsis_section(&mut text).map_err(failed)?;

@@ -9,6 +9,7 @@ mod flags;
 mod handout;
 mod lists;
 mod manual;
+mod misread;
 mod output;
 #[cfg(feature = "headless")]
 mod page;
@@ -63,11 +64,11 @@ struct Arguments {
     #[command(flatten)]
     view: ViewFlags,
     /// Step of the scene to begin at, counted from 1
-    #[arg(long, value_name = "N", allow_hyphen_values = true, help_heading = "Picture")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = arguments::count, help_heading = "Picture")]
     scene_step: Option<usize>,
     /// Size of the window in pixels
-    #[arg(long, value_name = "WxH", help_heading = "Picture")]
-    size: Option<String>,
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = arguments::size, help_heading = "Picture")]
+    size: Option<[u32; 2]>,
     /// Name (or a part of it) of the graphics adapter to draw with
     #[arg(long, value_name = "NAME", help_heading = "Picture")]
     adapter: Option<String>,
@@ -162,10 +163,18 @@ enum Command {
 
 /// Runs the program and turns its outcome into the exit code: 0 done, 1 it could not, 2 the request was wrong.
 pub(crate) fn main() -> ExitCode {
+    let words: Vec<String> = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+    let misread = |is_refused| misread::sentence(&words, is_refused).map(Failure::Request);
     let outcome = left_out(std::env::args_os().nth(1).as_deref()).map_or_else(
         || match Arguments::try_parse_from(scene_last(std::env::args_os())) {
-            Ok(arguments) => run(arguments),
-            Err(error) => failure::of_command_line(&error).map_or_else(|| print_help(&error), Err),
+            Ok(arguments) => {
+                let misread = if arguments.command.is_none() { misread(false) } else { None };
+                misread.map_or_else(|| run(arguments), Err)
+            }
+            Err(error) => match failure::of_command_line(&error) {
+                None => print_help(&error),
+                Some(refused) => Err(misread(true).unwrap_or(refused)),
+            },
         },
         Err,
     );
@@ -239,8 +248,7 @@ fn window(arguments: &Arguments) -> Result<(), Failure> {
     {
         quiet_driver::keep_quiet();
         let (scene, slides) = arguments.scene.slides(&arguments.view, arguments.scene_step, arguments.quiet)?;
-        let size = arguments.size.as_deref().map(arguments::size).transpose().map_err(Failure::request)?;
-        let adapter = arguments.adapter.clone();
+        let (size, adapter) = (arguments.size, arguments.adapter.clone());
         let place = arguments.scene.place();
         let (time, paused) = (arguments.scene.time(), arguments.scene.is_picture());
         let options = dzhanibekov::app::WindowOptions { size, adapter, slides, place, time, paused };

@@ -14,7 +14,7 @@ use dzhanibekov::sim::Simulation;
 use dzhanibekov::vector::Shading;
 use serde_json::json;
 
-use super::arguments::{Metadata, PictureArguments, number_list};
+use super::arguments::{Metadata, PictureArguments, count, number_list};
 use super::failure::{Failure, say};
 use super::figure::FigureArguments;
 use super::lists::{ListArguments, print, table};
@@ -45,7 +45,7 @@ pub(super) struct ShotArguments {
     #[arg(long, value_name = "T,T,…", allow_hyphen_values = true, value_parser = times, conflicts_with = "time", help_heading = "Picture")]
     times: Option<Moments>,
     /// Pictures in a row of the sheet
-    #[arg(long, value_name = "N", allow_hyphen_values = true, requires = "times", help_heading = "Picture")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = count, requires = "times", help_heading = "Picture")]
     pub(super) columns: Option<usize>,
     /// With the window's panel in the picture
     #[cfg(feature = "window")]
@@ -158,6 +158,7 @@ pub(super) fn picture_scene(picture: &PictureArguments) -> Result<(Scene, Vec<St
         return Err(Failure::request(format!("--time {time} is not finite")));
     }
     check_steps(&scene, &format!("--time {}", short(time)), time, followed(&scene))?;
+    picture.size.check().map_err(Failure::request)?;
     Ok((scene, words))
 }
 

@@ -2,8 +2,10 @@
 
 use clap::Args;
 use dzhanibekov::headless::{Length, PictureSize};
+use dzhanibekov::scene::one_number;
 
 use super::arguments::size;
+use super::times::rough;
 
 /// The size where none is said.
 const USUAL: [u32; 2] = [1280, 720];
@@ -32,6 +34,21 @@ impl SizeArguments {
     pub(super) fn get(&self) -> PictureSize {
         let (size, width, height, density) = self.said();
         PictureSize::new(size, width, height, density)
+    }
+
+    /// Refuses a size on paper of which no picture has so many pixels, with what was said.
+    pub(super) fn check(&self) -> Result<(), String> {
+        let (size, width, height, density) = self.said();
+        let [wide, high] = PictureSize::dots(size, width, height, density);
+        if wide.max(high) <= f64::from(u32::MAX) {
+            return Ok(());
+        }
+        Err(format!(
+            "{} is {} x {} pixels, more than any picture has: take a shorter length or fewer --dpi",
+            self.words().join(" "),
+            rough(wide),
+            rough(high)
+        ))
     }
 
     /// They themselves: size, width, height, dots an inch.
@@ -72,6 +89,21 @@ impl SizeArguments {
 
 /// Reads dots an inch.
 fn density(text: &str) -> Result<f64, String> {
-    let density = text.trim().parse().ok().filter(|density| DENSITIES.contains(density));
+    let density = one_number(text).ok().filter(|density| DENSITIES.contains(density));
     density.ok_or_else(|| "a resolution is a number of pixels an inch between 1 and 100000, as in 600".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SizeArguments;
+
+    #[test]
+    fn a_size_past_all_bounds_is_refused_as_it_was_said() {
+        let size = |width: &str, dpi| SizeArguments { size: None, width: width.parse().ok(), height: None, dpi };
+        assert_eq!(size("86mm", Some(600.0)).check(), Ok(()));
+        let said =
+            "--width 1e9mm is 1.2e10 x 6.6e9 pixels, more than any picture has: take a shorter length or fewer --dpi";
+        assert_eq!(size("1e9mm", None).check(), Err(said.to_owned()));
+        assert!(size("1e308in", Some(600.0)).check().is_err_and(|why| why.contains("more than 1e308 x")));
+    }
 }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use dzhanibekov::files;
 use dzhanibekov::physics::{Integration, METHODS, Method};
-use dzhanibekov::scene::Scene;
+use dzhanibekov::scene::{Scene, one_number};
 
 pub(super) use dzhanibekov::physics::number as short;
 
@@ -33,9 +33,9 @@ pub(super) struct Decimal {
 }
 
 impl Decimal {
-    /// Reads a number as Rust does.
+    /// Reads a number as every flag does.
     pub(super) fn parse(text: &str) -> Result<Self, String> {
-        let value: f64 = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
+        let (text, value) = (text.trim(), one_number(text)?);
         let mut decimal = Self { value, digits: 0, exponent: 0 };
         if !value.is_finite() {
             return Ok(decimal);
@@ -100,12 +100,13 @@ impl Times {
         }
         match text.into_string() {
             Ok(text) => match text.strip_prefix('@') {
+                Some("") => Err("`@` names no file: give @FILE, or - for standard input".to_owned()),
                 Some(path) => Ok(Self::File(path.into())),
                 None => finite(number_list(&text)?).map(Self::List),
             },
-            Err(text) => {
-                after_at(&text).map(Self::File).ok_or_else(|| "times are numbers with commas between them".to_owned())
-            }
+            Err(text) => after_at(&text).map(Self::File).ok_or_else(|| {
+                format!("`{}` holds no times: give numbers with commas between them", text.to_string_lossy())
+            }),
         }
     }
 
@@ -232,4 +233,21 @@ pub(super) fn time_of(count: f64, mut call: impl FnMut()) -> f64 {
     }
     let one: Duration = begun.elapsed() / 1000;
     one.as_secs_f64() * count
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Decimal, Times};
+
+    #[test]
+    fn what_is_no_time_is_refused_with_what_was_given() {
+        let at = |text: &str| Times::parse(text.into()).map(|_| ());
+        assert_eq!(at("@"), Err("`@` names no file: give @FILE, or - for standard input".to_owned()));
+        assert_eq!(at("1,1e400"), Err("`1e400` is past the range of numbers".to_owned()));
+        assert!(at("@times.txt").is_ok() && at("@-").is_ok() && at("0,1e12").is_ok());
+        let every = |text: &str| Decimal::parse(text).map(|decimal| decimal.value);
+        assert_eq!(every("1e400"), Err("`1e400` is past the range of numbers".to_owned()));
+        assert!(every("1e-400").is_err_and(|why| why.starts_with("`1e-400` is past the range of numbers")));
+        assert_eq!((every(" 0.5 "), every("1e-3")), (Ok(0.5), Ok(1e-3)));
+    }
 }

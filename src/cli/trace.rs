@@ -31,7 +31,7 @@ pub(super) struct TraceArguments {
     /// Time between rows (s); 0.01 where left out
     #[arg(long, value_name = "DT", value_parser = Decimal::parse, allow_hyphen_values = true)]
     every: Option<Decimal>,
-    /// Time of the last row (s); 10 where left out
+    /// Time past which there is no row (s); 10 where left out
     #[arg(long, value_name = "T", value_parser = Decimal::parse, allow_hyphen_values = true)]
     duration: Option<Decimal>,
     /// Say nothing but errors

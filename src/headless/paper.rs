@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::render::point_size;
+use crate::scene::one_number;
 
 /// Points of paper (1/72 in) that a point of a frame takes there: captions, 20 of them high, are set in 8 pt.
 pub const POINT: f64 = 0.4;
@@ -57,17 +58,22 @@ impl FromStr for Length {
         UNITS
             .into_iter()
             .find_map(|(name, unit)| {
-                let value: f64 = text.strip_suffix(name)?.trim_end().parse().ok()?;
+                let value = one_number(text.strip_suffix(name)?).ok()?;
                 (value > 0.0 && value.is_finite()).then_some(Self { value, unit })
             })
-            .ok_or_else(|| "a length is a number above 0 with its unit: mm, cm, in, pt or px, as in 86mm".to_owned())
+            .ok_or_else(|| {
+                "a length is a number above 0, in the range of numbers, with its unit: mm, cm, in, pt or px, as in 86mm"
+                    .to_owned()
+            })
     }
 }
 
 impl fmt::Display for Length {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = UNITS.iter().find_map(|(name, unit)| (*unit == self.unit).then_some(*name)).unwrap_or_default();
-        write!(formatter, "{}{name}", self.value)
+        let (plain, power) = (self.value.to_string(), format!("{:e}", self.value));
+        // A power where it is much shorter.
+        write!(formatter, "{}{name}", if power.len() + 2 < plain.len() { power } else { plain })
     }
 }
 
@@ -98,20 +104,27 @@ impl PictureSize {
             return Self { density, ..Self::in_pixels(size) };
         }
         let is_on_paper = density.is_some() || given().any(|length| length.unit != Unit::Pixel);
+        let dots = Self::dots(size, width, height, density);
         let density = density.unwrap_or(USUAL_DENSITY);
-        let [wide, high] = size.map(f64::from);
-        let [width, height] = [width, height].map(|length| length.map(|length| length.dots(density)));
-        let dots = match (width, height) {
-            (Some(width), Some(height)) => [width, height],
-            (Some(width), None) => [width, width * high / wide],
-            (None, Some(height)) => [height * wide / high, height],
-            (None, None) => [wide, high],
-        };
         Self {
             // A size past all bounds stays one, and is refused as what it is.
             pixels: dots.map(|side| side.round().clamp(1.0, f64::from(u32::MAX)) as u32),
             paper: is_on_paper.then(|| dots.map(|side| side / density * POINTS)),
             density: is_on_paper.then_some(density),
+        }
+    }
+
+    /// Width and height in pixels, before they are made whole ones, of what [`Self::new`] takes.
+    #[must_use]
+    pub fn dots(size: [u32; 2], width: Option<Length>, height: Option<Length>, density: Option<f64>) -> [f64; 2] {
+        let density = density.unwrap_or(USUAL_DENSITY);
+        let [wide, high] = size.map(f64::from);
+        let [width, height] = [width, height].map(|length| length.map(|length| length.dots(density)));
+        match (width, height) {
+            (Some(width), Some(height)) => [width, height],
+            (Some(width), None) => [width, width * high / wide],
+            (None, Some(height)) => [height * wide / high, height],
+            (None, None) => [wide, high],
         }
     }
 
@@ -145,7 +158,7 @@ mod tests {
 
     #[test]
     fn lengths_are_read_with_their_units_and_written_back() {
-        for text in ["86mm", "8.6cm", "3.4in", "244pt", "1032px", "0.001mm"] {
+        for text in ["86mm", "8.6cm", "3.4in", "244pt", "1032px", "0.001mm", "1e9mm", "1e-300in"] {
             assert_eq!(length(text).map(|length| length.to_string()).as_deref(), Some(text));
         }
         assert_eq!(length(" 86 mm "), length("86mm"));

@@ -3,9 +3,10 @@
 mod ffmpeg;
 mod film;
 mod pattern;
+mod rate;
 
+use std::cell::Cell;
 use std::io::BufWriter;
-use std::num::NonZeroU32;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -18,7 +19,7 @@ use dzhanibekov::headless::{
 use dzhanibekov::objects::Cameras;
 use dzhanibekov::render::png::{Remark, encode_marked, is_whole};
 use dzhanibekov::render::{Gpu, Pixels};
-use dzhanibekov::scene::Scene;
+use dzhanibekov::scene::{Scene, one_number};
 use dzhanibekov::sim::Simulation;
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -33,6 +34,7 @@ use super::times::{check_steps, rough, short};
 use ffmpeg::{Encoder, Ffmpeg};
 use film::{CONTAINERS, Container, list};
 use pattern::Pattern;
+use rate::frame_rate;
 
 /// Pictures looked at for a palette, and their largest width.
 const SAMPLES: u64 = 8;
@@ -51,7 +53,7 @@ pub(super) struct RecordArguments {
     #[arg(long, default_value = "60", allow_hyphen_values = true, value_parser = frame_rate)]
     fps: FrameRate,
     /// Length (s)
-    #[arg(long, value_name = "S", default_value = "10", allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", default_value = "10", allow_hyphen_values = true, value_parser = one_number)]
     duration: f64,
     /// Only frames A to B − 1 of the recording, for several machines
     #[arg(long, value_name = "A..B", value_parser = frame_range, allow_hyphen_values = true)]
@@ -109,9 +111,15 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
     };
     let stop = signal::raise_flag();
     let gpu = open(picture)?;
+    // Once nothing is left to be refused.
+    if matches!(format, Format::Gif) && arguments.fps.per_second() > 50.0 && !picture.quiet {
+        say("many programs slow down a GIF of more than 50 frames a second: --fps 50 plays right everywhere");
+    }
     let count = recording.frames.end - recording.frames.start;
     let bar = progress_bar(count, picture.quiet);
     let begun = Instant::now();
+    // Frames that were whole already.
+    let kept = Cell::new(0);
 
     let is_finished = match (&format, output) {
         (Format::Numbered(pattern), _) => {
@@ -123,6 +131,7 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
                     && std::fs::read(pattern.path(index))
                         .is_ok_and(|bytes| is_whole(&bytes, size, &notes_of(index), mark));
                 bar.inc(u64::from(is_kept));
+                kept.set(kept.get() + u64::from(is_kept));
                 is_kept
             };
             record(&gpu, &scene, &recording, stop, skip, |index, pixels| {
@@ -169,10 +178,21 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
     }
     if !picture.quiet {
         let seconds = begun.elapsed().as_secs_f64();
-        let speed = count as f64 / seconds.max(1e-9);
-        say(&format!("{count} frames in {seconds:.1} s, {speed:.0} a second: {}", arguments.output.display()));
+        say(&format!("{}: {}", told(count, kept.get(), seconds), arguments.output.display()));
     }
     Ok(())
+}
+
+/// What is said of so many frames, of which so many were there before, after so long (s).
+fn told(count: u64, kept: u64, seconds: f64) -> String {
+    let frames = |count: u64| if count == 1 { "1 frame".to_owned() } else { format!("{count} frames") };
+    let drawn = count.saturating_sub(kept);
+    let speed = drawn as f64 / seconds.max(1e-9);
+    match (drawn, kept) {
+        (0, _) => format!("{} kept, none drawn", frames(kept)),
+        (_, 0) => format!("{} in {seconds:.1} s, {speed:.0} a second", frames(drawn)),
+        _ => format!("{} in {seconds:.1} s, {speed:.0} a second, and {kept} kept", frames(drawn)),
+    }
 }
 
 /// Begins a film.
@@ -255,9 +275,6 @@ fn format_of(arguments: &RecordArguments) -> Result<Format, Failure> {
     if let Err(error) = checked {
         return Err(Failure::request(format!("--fps does not go with {name}: {error}")));
     }
-    if matches!(format, Format::Gif) && arguments.fps.per_second() > 50.0 && !arguments.picture.quiet {
-        say("many programs slow down a GIF of more than 50 frames a second: --fps 50 plays right everywhere");
-    }
     Ok(format)
 }
 
@@ -323,32 +340,6 @@ fn frames_of(arguments: &RecordArguments) -> Result<Range<u64>, Failure> {
     }
 }
 
-/// Whole, decimal, or a ratio.
-fn frame_rate(text: &str) -> Result<FrameRate, String> {
-    const WANTED: &str = "a rate is a number above 0 such as 60, 29.97 or 30000/1001";
-    let rate = |frames: u32, seconds: u32| {
-        // In lowest terms: formats hold the two numbers with a bound.
-        let (mut divisor, mut rest) = (frames, seconds);
-        while rest != 0 {
-            (divisor, rest) = (rest, divisor % rest);
-        }
-        let [frames, seconds] = [frames, seconds].map(|part| NonZeroU32::new(part.checked_div(divisor).unwrap_or(0)));
-        frames.zip(seconds).map(|(frames, seconds)| FrameRate { frames, seconds }).ok_or_else(|| WANTED.to_owned())
-    };
-    let whole = |text: &str| text.parse::<u32>().map_err(|_| WANTED.to_owned());
-    if let Some((frames, seconds)) = text.split_once('/') {
-        return rate(whole(frames)?, whole(seconds)?);
-    }
-    let (before, after) = text.split_once('.').unwrap_or((text, ""));
-    if after.len() > 3 {
-        return Err("a rate has at most three decimals; a ratio such as 30000/1001 is exact".to_owned());
-    }
-    let scale = 10_u32.pow(after.len() as u32);
-    let fraction = if after.is_empty() { 0 } else { whole(after)? };
-    let frames = whole(before)?.checked_mul(scale).and_then(|frames| frames.checked_add(fraction));
-    rate(frames.ok_or(WANTED)?, scale)
-}
-
 /// `A..B`, the end left out.
 fn frame_range(text: &str) -> Result<Range<u64>, String> {
     let wanted = "a range is two whole numbers such as 0..100, the first frame and the one behind the last";
@@ -369,4 +360,20 @@ fn progress_bar(count: u64, is_quiet: bool) -> ProgressBar {
         bar.set_style(style);
     }
     bar
+}
+
+#[cfg(test)]
+mod tests {
+    use super::told;
+
+    #[test]
+    fn frames_that_were_there_are_not_drawn() {
+        assert_eq!(told(12, 0, 0.6), "12 frames in 0.6 s, 20 a second");
+        assert_eq!(told(1, 0, 0.5), "1 frame in 0.5 s, 2 a second");
+        assert_eq!(told(12, 10, 1.0), "2 frames in 1.0 s, 2 a second, and 10 kept");
+        assert_eq!(
+            (&*told(12, 12, 0.1), &*told(1, 1, 0.1)),
+            ("12 frames kept, none drawn", "1 frame kept, none drawn")
+        );
+    }
 }
