@@ -77,12 +77,13 @@ pub fn record<E: From<HeadlessError> + Send>(
     let mut artist = Artist::new(gpu, scene, recording)?;
     std::thread::scope(|scope| {
         let (sender, receiver) = sync_channel::<(u64, Pixels)>(WAITING);
-        let taker = scope.spawn(move || {
+        let taker = std::thread::Builder::new().spawn_scoped(scope, move || {
             for (index, pixels) in receiver {
                 take(index, pixels)?;
             }
             Ok::<(), E>(())
         });
+        let taker = taker.map_err(HeadlessError::Thread)?;
         let drawn = draw_all(&mut artist, recording, stop, &mut skip, &sender);
         // Ends the taker's loop once it has taken what waits.
         drop(sender);

@@ -42,6 +42,9 @@ pub enum HeadlessError {
     /// The method could not go on.
     #[error("{0}")]
     Method(String),
+    /// The system gives no thread.
+    #[error("no thread could be had to write what is drawn: {0}")]
+    Thread(std::io::Error),
     /// The picture could not be encoded.
     #[error("the picture could not be encoded: {0}")]
     Encoding(#[from] EncodingError),

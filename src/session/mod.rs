@@ -386,7 +386,11 @@ impl Session {
                 self.shown.asking_time = false;
                 self.go_to(time);
             }
-            Command::AskTime => self.shown.asking_time = true,
+            Command::AskTime => {
+                // The field comes where words stand.
+                self.say_nothing();
+                self.shown.asking_time = true;
+            }
             Command::AskNothing => self.shown.asking_time = false,
             Command::NextFlip => self.go_to_next_flip(),
             Command::LoopFlip => self.loop_flip(),

@@ -121,9 +121,10 @@ mod tests {
     #[test]
     fn the_separatrix_is_the_separatrix_and_flips_once() -> Result<(), BodyError> {
         let body = body()?;
-        for momentum in
-            [DVec3::new(0.0, 1.0, 0.0), DVec3::new(0.3, -0.6, 0.2), DVec3::new(-0.3, 0.6, 0.2), DVec3::splat(1.0)]
-        {
+        // On the axis, and off it to all sides.
+        let sides = |n: i32| [0, 1, 2].map(|axis| if n >> axis & 1 == 0 { 1.0 } else { -1.0 });
+        let aside = (0..8).map(|n| DVec3::new(0.3, 0.6, 0.2) * DVec3::from(sides(n)));
+        for momentum in aside.chain([DVec3::Y, DVec3::NEG_Y, DVec3::ONE]) {
             let found = on_separatrix(&body, momentum).unwrap_or_default();
             assert_eq!(poinsot::classify(&body, found), MotionClass::Separatrix, "{found}");
             assert!(poinsot::next_flip(&body, found).is_some(), "{found} must flip");

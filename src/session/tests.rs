@@ -443,12 +443,17 @@ fn a_presenters_choices_stay_from_scene_to_scene() -> Result<(), SceneError> {
 fn a_time_is_asked_for_until_one_is_gone_to() -> Result<(), SceneError> {
     let mut driven = Driven::new("flip")?;
     driven.apply(Command::PlayPause);
+    driven.session.say("Words where the field will be.");
     driven.apply(Command::AskTime);
+    assert!(driven.message().is_empty());
     assert!(driven.session.shown.asking_time && !driven.redraws(Command::AskTime));
     driven.apply(Command::AskNothing);
     assert!(!driven.session.shown.asking_time);
     driven.apply(Command::AskTime);
+    let jumps = driven.session.jumps();
     driven.apply(Command::GoTo(-2.5));
+    // Whoever draws it in between is told that nothing lies between.
+    assert_eq!(driven.session.jumps(), jumps + 1);
     assert_eq!((driven.session.time(), driven.session.shown.asking_time), (-2.5, false));
     Ok(())
 }
@@ -480,6 +485,17 @@ fn messages_go_by_themselves() -> Result<(), SceneError> {
     driven.session.say("Another.");
     driven.session.say_nothing();
     assert!(driven.message().is_empty());
+    Ok(())
+}
+
+/// A part of another page is the picture alone, and greets nobody.
+#[test]
+fn embedded_it_is_the_picture_alone() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.session.say("Welcome.");
+    driven.session.embed();
+    let shown = &driven.session.shown;
+    assert!(shown.embedded && !shown.panel && !shown.slide && driven.message().is_empty());
     Ok(())
 }
 

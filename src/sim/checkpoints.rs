@@ -59,7 +59,58 @@ impl Checkpoints {
     }
 }
 
+#[cfg(test)]
+impl Checkpoints {
+    /// The steps of the places, counted from the start.
+    pub(super) fn places(&self) -> Vec<i64> {
+        self.kept.iter().map(Integration::steps).collect()
+    }
+}
+
 /// Whether a step lies between the start and another, or is that one.
 fn is_on_the_way(step: i64, target: i64) -> bool {
     step == 0 || step.signum() == target.signum() && step.abs() <= target.abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Checkpoints, MOST};
+    use crate::physics::{Integration, MethodError};
+    use crate::scene::{Scene, SceneError, SceneFile};
+    use crate::sim::Simulation;
+    use crate::sim::tests::LOSING;
+
+    fn integration() -> Result<Integration, SceneError> {
+        let simulation = Simulation::new(&Scene::check(&SceneFile::parse(LOSING)?)?);
+        let method = simulation.main().method();
+        Ok(Integration::with_energy_loss(method, simulation.body(), *simulation.start(), 0.01, 0.05))
+    }
+
+    /// What makes a way back short: places evenly on the way, kept while time goes to and fro on one side of the start.
+    #[test]
+    fn places_lie_evenly_and_stay_until_the_other_side_is_asked_for() -> Result<(), SceneError> {
+        let mut integration = integration()?;
+        let mut checkpoints = Checkpoints::new(&integration);
+        let mut go_to = |checkpoints: &mut Checkpoints, target| -> Result<i64, MethodError> {
+            checkpoints.go_to(&mut integration, target)?;
+            Ok(integration.steps())
+        };
+        assert_eq!(go_to(&mut checkpoints, 300).ok(), Some(300));
+        assert_eq!(checkpoints.places(), [0, 64, 128, 192, 256]);
+        assert_eq!(go_to(&mut checkpoints, 100).ok(), Some(100));
+        assert_eq!(checkpoints.places(), [0, 64, 128, 192, 256]);
+        assert_eq!(go_to(&mut checkpoints, -70).ok(), Some(-70));
+        assert_eq!(checkpoints.places(), [0, -64]);
+        assert_eq!(go_to(&mut checkpoints, 10).ok(), Some(10));
+        assert_eq!(checkpoints.places(), [0]);
+        // As many as there may be, and then half of them.
+        assert_eq!(go_to(&mut checkpoints, 0).ok(), Some(0));
+        let full = 64 * (MOST as i64 - 1);
+        assert_eq!(go_to(&mut checkpoints, full).ok(), Some(full));
+        assert_eq!(checkpoints.places().len(), MOST);
+        assert_eq!(go_to(&mut checkpoints, full + 64).ok(), Some(full + 64));
+        let half: Vec<i64> = (0..=MOST as i64 / 2).map(|place| 128 * place).collect();
+        assert_eq!(checkpoints.places(), half);
+        Ok(())
+    }
 }

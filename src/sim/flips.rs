@@ -67,6 +67,9 @@ mod tests {
             // ε in the time of each crossing, at up to five periods.
             let measured = watch.between().unwrap_or_default();
             assert!((measured - period).abs() < 1e-12 * period, "{measured} {period}");
+            // The last one lies on the way that was looked at.
+            let latest = watch.latest.unwrap_or_default() * direction;
+            assert!((3.9 * period..39.0 / 8.0 * period).contains(&latest), "{latest} {period}");
         }
         Ok(())
     }

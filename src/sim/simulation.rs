@@ -313,3 +313,25 @@ impl Simulation {
         motion::momentum_error(&self.start, self.state())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Checkpoints, Runner};
+    use crate::scene::{Scene, SceneError, SceneFile};
+    use crate::sim::Simulation;
+    use crate::sim::tests::LOSING;
+
+    /// Where energy is lost a time is gone to by whole steps, which leave places behind to go back to.
+    #[test]
+    fn a_way_with_loss_leaves_places_behind() -> Result<(), SceneError> {
+        let mut simulation = Simulation::new(&Scene::check(&SceneFile::parse(LOSING)?)?);
+        assert_eq!(simulation.energy_loss(), 0.05);
+        for (time, steps, places) in [(2.345, 234, vec![0, 64, 128, 192]), (-0.705, -70, vec![0, -64])] {
+            simulation.go_to(time);
+            let Runner { integration, checkpoints, .. } = simulation.main();
+            assert_eq!(integration.steps(), steps, "{time}");
+            assert_eq!(checkpoints.as_ref().map(Checkpoints::places), Some(places), "{time}");
+        }
+        Ok(())
+    }
+}

@@ -190,7 +190,8 @@ fn the_history_is_in_order_thins_itself_and_keeps_its_ends() -> Result<(), Scene
     Ok(())
 }
 
-const LOSING: &str = "[body]\nbox = [1.0, 0.2, 0.1]\n[spin]\naxis = 1\ntilt_deg = 2.0\nrate = 6.0\n[motion]\nenergy_loss = 0.05\nstep = 0.01";
+/// A body that loses energy, in steps of 0.01 s.
+pub(super) const LOSING: &str = "[body]\nbox = [1.0, 0.2, 0.1]\n[spin]\naxis = 1\ntilt_deg = 2.0\nrate = 6.0\n[motion]\nenergy_loss = 0.05\nstep = 0.01";
 
 /// However one comes to a time where energy is lost, it is the same state to the bit: steps back are the way there taken again.
 #[test]

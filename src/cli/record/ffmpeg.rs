@@ -80,7 +80,10 @@ impl Ffmpeg {
             .spawn()
             .map_err(|error| not_started(&error, container))?;
         let stdin = child.stdin.take().ok_or_else(|| Failure::could_not("ffmpeg takes no input"))?;
-        let words = child.stderr.take().map(|stderr| std::thread::spawn(move || first_words(stderr)));
+        let listen = |stderr| std::thread::Builder::new().spawn(move || first_words(stderr));
+        let words = child.stderr.take().map(listen).transpose();
+        let words =
+            words.map_err(|error| Failure::could_not(format!("no thread could be had beside ffmpeg: {error}")))?;
         let stdin = BufWriter::new(stdin);
         let stream: Box<dyn Movie> = if is_transparent {
             Box::new(Rgba::new(stdin, !is_rgb))

@@ -209,6 +209,23 @@ fn a_changed_file_brings_its_title_and_keeps_its_step() -> Result<(), SceneError
     Ok(())
 }
 
+/// What a folder gains does not move what is open to another scene.
+#[test]
+fn a_folder_that_changes_keeps_the_place() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    let folder = |names: &[&str]| Ok(names.iter().map(|name| slide(&format!("talk/{name}.toml"), "")).collect());
+    driven.session.open_slides("talk", folder(&["b", "d"]));
+    driven.apply(Command::NextScene);
+    driven.session.refresh("talk", folder(&["a", "b", "c", "d"]), driven.now);
+    assert_eq!((driven.session.opened.name.as_str(), driven.session.opened.place), ("talk/d.toml", Some(3)));
+    driven.apply(Command::PreviousScene);
+    assert_eq!(driven.session.opened.name, "talk/c.toml");
+    // What is open and gone from the folder has no place in it.
+    driven.session.refresh("talk", folder(&["a", "b"]), driven.now);
+    assert_eq!((driven.session.opened.name.as_str(), driven.session.opened.place), ("talk/c.toml", None));
+    Ok(())
+}
+
 #[test]
 fn what_is_pasted_is_a_scene_a_place_or_nothing() -> Result<(), SceneError> {
     let mut driven = Driven::new("flip")?;
