@@ -7,7 +7,7 @@ use clap::Args;
 use dzhanibekov::files;
 use dzhanibekov::physics::METHODS;
 use dzhanibekov::physics::methods::{Keeps, Order};
-use dzhanibekov::scene::{KEYS, SOLID_KEYS, STEP_KEYS, presets};
+use dzhanibekov::scene::{KEYS, SOLID_KEYS, STEP_KEYS, inside, presets};
 use serde_json::json;
 
 use super::failure::Failure;
@@ -97,7 +97,8 @@ pub(super) fn keys(arguments: &ListArguments) -> Result<(), Failure> {
         let list: Vec<_> = rows
             .map(|(name, kind, unit, help, flag)| {
                 let flag = flag.map(|flag| format!("--{}", flag.name));
-                json!({ "name": name, "type": kind.words(), "unit": unit, "flag": flag, "help": help })
+                let array = inside(name).map(|(array, _)| array);
+                json!({ "name": name, "inside": array, "type": kind.words(), "unit": unit, "flag": flag, "help": help })
             })
             .collect();
         return print(&format!("{:#}\n", json!(list)));
@@ -107,7 +108,11 @@ pub(super) fn keys(arguments: &ListArguments) -> Result<(), Failure> {
         [
             name.to_owned(),
             format!("{}{unit}", kind.words()),
-            flag.map_or_else(String::new, |flag| format!("--{}", flag.name)),
+            match (flag, inside(name)) {
+                (Some(flag), _) => format!("--{}", flag.name),
+                (None, Some((array, _))) => format!("in [[{array}]]"),
+                (None, None) => String::new(),
+            },
             help.to_owned(),
         ]
     })))

@@ -127,7 +127,7 @@ enum Command {
   dzhanibekov methods
   dzhanibekov methods --json")]
     Methods(lists::ListArguments),
-    /// List the keys of a scene file, which --set takes
+    /// List the keys of a scene file, which --set takes, and those inside of [[step]] and [[body.solids]]
     #[command(after_help = "Examples:
   dzhanibekov keys
   dzhanibekov keys --json")]

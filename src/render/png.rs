@@ -72,7 +72,8 @@ pub fn encode_rows<E: From<EncodingError>>(
 /// None but for a keyword that PNG does not take.
 pub fn say<W: io::Write>(encoder: &mut png::Encoder<'_, W>, remarks: &[Remark]) -> Result<(), EncodingError> {
     for (keyword, text) in remarks {
-        let (keyword, text) = ((*keyword).to_owned(), text.clone());
+        // A PNG's text ends at a NUL.
+        let (keyword, text) = ((*keyword).to_owned(), text.replace('\0', "\u{fffd}"));
         if text.is_ascii() {
             encoder.add_text_chunk(keyword, text)?;
         } else {

@@ -333,7 +333,7 @@ mod tests {
             (&["--set", "body.solids=[]"], "body.solids is an array of 0: it must be an array of solids, one at least"),
             (
                 &["--set", "body.solids.size=3"],
-                "unknown key `body.solids.size`; `body.solids` has no keys of its own here",
+                "`body.solids.size` is a key inside of [[body.solids]]: they are given all at once, as in body.solids=[{ size = … }]",
             ),
             (&["--set"], "--set has no value"),
             (&["--rate"], "--rate has no value"),

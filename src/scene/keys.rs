@@ -349,6 +349,16 @@ pub fn key(name: &str) -> Option<&'static Key> {
     KEYS.iter().find(|key| key.name == name || (!key.other_name.is_empty() && key.other_name == name))
 }
 
+/// The array of tables, each written `[[…]]`, that the key of this name stands in, and its name there: of `step.time`
+/// `step` and `time`.
+#[must_use]
+pub fn inside(name: &str) -> Option<(&'static str, &str)> {
+    let is_known = SOLID_KEYS.iter().any(|key| key.name == name) || STEP_KEYS.iter().any(|key| key.name == name);
+    let mut arrays = KEYS.iter().filter(|key| matches!(key.kind, Kind::Solids | Kind::Steps));
+    let found = arrays.find_map(|array| Some((array.name, name.strip_prefix(array.name)?.strip_prefix('.')?)));
+    found.filter(|_| is_known)
+}
+
 /// The keys of the table of this name: `spin`.
 pub(super) fn keys_of(table: &str) -> impl Iterator<Item = &'static Key> {
     KEYS.iter().filter(move |key| key.name.strip_prefix(table).is_some_and(|rest| rest.starts_with('.')))
@@ -356,7 +366,7 @@ pub(super) fn keys_of(table: &str) -> impl Iterator<Item = &'static Key> {
 
 #[cfg(test)]
 mod tests {
-    use super::{KEYS, Key, SOLID_KEYS, STEP_KEYS, key, keys_of};
+    use super::{KEYS, Key, SOLID_KEYS, STEP_KEYS, inside, key, keys_of};
     use crate::scene::Kind;
 
     /// The flags that scripts rest on, each with the key that it gives.
@@ -435,6 +445,9 @@ mod tests {
         assert_eq!(keys_of("spin").count(), 5);
         assert_eq!(keys_of("spi").count(), 0);
         assert_eq!(keys_of("").count(), 0);
+        assert_eq!(inside("step.world_camera.distance"), Some(("step", "world_camera.distance")));
+        assert_eq!(inside("body.solids.kind"), Some(("body.solids", "kind")));
+        assert_eq!((inside("step"), inside("step.tim"), inside("spin.rate")), (None, None, None));
         assert_eq!(key("view.body_camera.target").map(Key::own_name), Some("target"));
         assert_eq!(key("title").map(Key::own_name), Some("title"));
     }

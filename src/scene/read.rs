@@ -3,7 +3,7 @@
 use toml::de::DeTable;
 
 use super::field::Wrong;
-use super::keys::{KEYS, Key, SOLID_KEYS, STEP_KEYS, key, keys_of};
+use super::keys::{KEYS, Key, SOLID_KEYS, STEP_KEYS, inside, key, keys_of};
 use super::value::{Entry, Item, Value, entries, shortened};
 use super::{SceneError, SceneFile, SolidFile, StepFile, nearest};
 
@@ -117,6 +117,11 @@ fn read_one<Holder>(prefix: &str, entries: &[Entry], keys: &[Key<Holder>], holde
 
 /// What is said of a key that is none.
 pub(super) fn unknown(name: &str) -> String {
+    if let Some((table, own)) = inside(name) {
+        return format!(
+            "`{name}` is a key inside of [[{table}]]: they are given all at once, as in {table}=[{{ {own} = … }}]"
+        );
+    }
     let own = name.rsplit('.').next().unwrap_or(name);
     // The same word in another table is what was meant, else a word like it in this one.
     if let Some(meant) = KEYS.iter().find(|key| key.own_name() == own) {

@@ -160,6 +160,9 @@ mod tests {
         let after = poked(&body, &state);
         assert!((after.world_momentum - state.world_momentum).length() < 1e-15);
         assert!((after.body_momentum - state.body_momentum).length() > 0.01);
+        // From the middle axis to between the others' positive ends.
+        let after = poked(&body, &State::new(&body, DMat3::IDENTITY, DVec3::Y)).body_momentum;
+        assert!(after.x > 0.005 && (after.x - after.z).abs() < 1e-15, "{after}");
         Ok(())
     }
 }

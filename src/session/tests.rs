@@ -420,8 +420,9 @@ fn a_presenters_choices_stay_from_scene_to_scene() -> Result<(), SceneError> {
     driven.session.remember(&mut remembered);
     assert!(remembered.charts && remembered.panel && remembered.slide);
     assert_eq!(Remembered::read(&remembered.text()), remembered);
-    assert!(!remembered.presenting);
+    assert!(!remembered.presenting && !driven.session.is_presenting());
     driven.apply(Command::TogglePresenter);
+    assert!(driven.session.is_presenting());
     driven.session.remember(&mut remembered);
     assert!(remembered.presenting && Remembered::read(&remembered.text()) == remembered);
     // Words in the picture are larger by the factor by which the scene's are.

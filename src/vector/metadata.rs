@@ -31,14 +31,16 @@ pub(super) fn packet(remarks: &[Remark]) -> String {
     )
 }
 
-/// Text as XML holds it.
+/// Text as XML holds it. For what it has no place for, as a file's name may have it, stands U+FFFD.
 pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    let has_no_place =
+        |c: char| matches!(c, '\0'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}');
+    text.replace(has_no_place, "\u{fffd}").replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 #[cfg(test)]
 mod tests {
-    use super::packet;
+    use super::{escaped, packet};
 
     #[test]
     fn remarks_are_said_as_they_are_but_for_what_markup_takes() {
@@ -47,5 +49,10 @@ mod tests {
         let expected =
             "<dz:Scene>#flip?a&amp;b</dz:Scene>\n<dz:Comment>a &lt; b &gt; &amp;lt; \"ω\"\nover lines</dz:Comment>\n";
         assert!(said.contains(expected), "{said}");
+    }
+
+    #[test]
+    fn what_xml_has_no_place_for_is_replaced() {
+        assert_eq!(escaped("a\u{1}\0\u{1f}\u{fffe}\t\n\r\u{85}é"), "a\u{fffd}\u{fffd}\u{fffd}\u{fffd}\t\n\r\u{85}é");
     }
 }

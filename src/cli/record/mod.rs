@@ -159,14 +159,13 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
         // Every film has its output.
         (_, None) => false,
     };
+    // Taken down, a bar is at its end.
+    let written = bar.position();
     bar.finish_and_clear();
     if !is_finished {
         let left =
             if matches!(format, Format::Numbered(_)) { "the frames there are whole" } else { "no file was left" };
-        return Err(Failure::could_not(format!(
-            "stopped by a signal after {} of {count} frames; {left}",
-            bar.position()
-        )));
+        return Err(Failure::could_not(format!("stopped by a signal after {written} of {count} frames; {left}")));
     }
     if !picture.quiet {
         let seconds = begun.elapsed().as_secs_f64();

@@ -220,3 +220,21 @@ fn what_is_remembered_is_what_can_be() {
     }
     assert!(Remembered::read("charts = true").charts);
 }
+
+/// Where energy is lost a wobble about axis 1 grows at the rate loss · ℓ (1/I₁ − (1/I₂ + 1/I₃)/2), and one about axis 3 dies away at
+/// loss · ℓ ((1/I₁ + 1/I₂)/2 − 1/I₃): the time line shows six times as long as the slower of them takes to e times or a part in e.
+#[test]
+fn the_time_line_of_a_loss_is_as_long_as_the_loss_takes() -> Result<(), SceneError> {
+    for (moments, slower) in
+        [([1.0, 1.05, 2.0], 1.0 - 0.5 * (1.0 / 1.05 + 0.5)), ([1.0, 1.9, 2.0], 0.5 * (1.0 + 1.0 / 1.9) - 0.5)]
+    {
+        let mut driven = Driven::new("flip")?;
+        let text = format!("body.moments = {moments:?}\nspin = {{ axis = 1, rate = 3.0 }}\nmotion.energy_loss = 0.05");
+        driven.apply(Command::OpenText { name: "loss.toml".to_owned(), text });
+        // ℓ = I₁ω = 3 kg m²/s.
+        let expected = 6.0 / (0.05 * 3.0 * slower);
+        let high = driven.session.timeline.high;
+        assert!((high / expected - 1.0).abs() < 1e-14, "{high} {expected}");
+    }
+    Ok(())
+}
