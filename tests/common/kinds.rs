@@ -206,6 +206,13 @@ pub(crate) const KINDS: &[Kind] = &[
         start.time = sign(r) * power(r, 0.0, 3.0);
         start
     }),
+    kind("a tensor near the separatrix", |r| {
+        let any = solid_moments(r);
+        let off = power(r, -16.0, -1.0);
+        let (omega, _) = near_separatrix_of(r, any, off);
+        let turn = r.rotation();
+        turned(r, any, turn, |_| omega)
+    }),
     kind("a tensor with a small entry", |r| {
         let [xx, yy, zz] = solid_moments(r);
         let mut entries = [xx, yy, zz, 0.0, 0.0, 0.0];
