@@ -50,7 +50,8 @@ fn decimal(text: &str) -> Result<(u64, u64), String> {
     let digits = format!("{}{after}", before.trim_start_matches('+'));
     // Noughts at the end are no decimals.
     let short = digits.trim_end_matches('0');
-    let decimals = after.len() as i64 - exponent - (digits.len() - short.len()) as i64;
+    let length = |text: &str| i64::try_from(text.len()).unwrap_or(i64::MAX);
+    let decimals = length(after).saturating_sub(exponent).saturating_sub(length(&digits) - length(short));
     if decimals > MOST_DECIMALS {
         return Err(TOO_FINE.to_owned());
     }
