@@ -150,3 +150,20 @@ fn body_and_world() {
         );
     }
 }
+
+/// Solids, most of what only looks like one, and what the bounds say nothing of.
+#[test]
+fn the_bounds_hold_for_solids_and_not_for_whatever_can_be_written_down() -> Result<(), BodyError> {
+    for (moments, is_within) in [
+        ([1.0, 2.0, 3.0], true),
+        ([1e-50, 1.0, 1.0], true),
+        ([1.0, 1.0, 3.16e5], true),
+        ([1.0, 1.0, 3.17e5], false),
+        ([1e-60, 1.0, 1.0], false),
+        ([1e-300, 1.0, 1e300], false),
+    ] {
+        let body = Body::from_moments(DVec3::from(moments))?;
+        assert_eq!(body.is_within_bounds(), is_within, "{moments:?}");
+    }
+    Ok(())
+}

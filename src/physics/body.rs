@@ -185,6 +185,15 @@ impl Body {
         (ratio > 1.0 + 4.0 * f64::EPSILON).then_some(ratio)
     }
 
+    /// Whether the moments are some that the [`bounds`](super::bounds) of attitudes hold for: those of solids, but for the most extreme
+    /// needles and plates, and others that are not too far from one's.
+    #[must_use]
+    pub fn is_within_bounds(&self) -> bool {
+        let i = self.principal_moments / self.principal_moments.z;
+        let from_solid = (1.0 - i.x) * (1.0 - i.y) / i.x / i.y;
+        i.x >= super::bounds::LARGEST_RATIO.recip() && from_solid <= super::bounds::FARTHEST_FROM_SOLID
+    }
+
     /// Edges (m) of the solid box of this mass (kg) with the body's principal moments, along the principal axes:
     /// `a² = 6 (I₂ + I₃ − I₁)/m` and so on round. Where no solid has the moments the edge that would be
     /// imaginary is 0.

@@ -41,11 +41,18 @@ impl Bound {
     }
 }
 
+/// How large `(I₃ − I₁)(I₃ − I₂)/(I₁I₂)` may be: up to 1 for a solid. The body momentum runs faster than the body turns by the root of
+/// it, and the attitude has so many digits less of the 30 that the rates have.
+pub const FARTHEST_FROM_SOLID: f64 = 1e11;
+
+/// How far apart the moments may be: `2¹⁸⁰`.
+pub const LARGEST_RATIO: f64 = 1_532_495_540_865_888_858_358_347_027_150_309_183_618_739_122_183_602_176.0;
+
 /// [`Motion`](super::Motion): the attitude.
 pub const CLOSED_FORM_ATTITUDE: Bound = Bound {
     of: "Motion::attitude, closed-form",
     quantity: "angle to the exact attitude (rad)",
-    domain: "|t| ≤ 10¹² s at some rad/s: up to 10¹³ rad; moments no further apart than 2¹⁸⁰",
+    domain: "|t| ≤ 10¹² s at some rad/s: up to 10¹³ rad; moments of a solid, or (I₃ − I₁)(I₃ − I₂) ≤ 10¹¹ I₁I₂; none 2¹⁸⁰ times another",
     limit: Limit::Fixed(1e-13),
     why: "both rates to 100 bits, phases reduced before use: some ten roundings of numbers up to 1, at any time",
 };
@@ -63,7 +70,7 @@ pub const CLOSED_FORM_MOMENTUM: Bound = Bound {
 pub const EXACT_STEP_ATTITUDE: Bound = Bound {
     of: "exact-step",
     quantity: "angle to the exact attitude (rad)",
-    domain: "steps of any length and number; moments no further apart than 2¹⁸⁰",
+    domain: "steps of any length and number; moments of a solid, or (I₃ − I₁)(I₃ − I₂) ≤ 10¹¹ I₁I₂; none 2¹⁸⁰ times another",
     limit: Limit::Growing(8.0),
     why: "the changes that a step adds are good to a few ε of themselves, and to the same side",
 };

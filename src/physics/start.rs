@@ -10,10 +10,10 @@ use super::double_double::{DoubleDouble, Wide};
 use super::dyadic::{self, Dyadic};
 use super::motion::Origin;
 use super::principal::{self, Given, Principal};
-use super::{Body, State};
+use super::{Body, State, bounds};
 
-/// Moments further apart than this are taken as this far apart, so that no product leaves the range of f64: `2⁻¹⁸⁰`.
-const SMALLEST_RATIO: f64 = 6.525_304_467_998_525e-55;
+/// Moments further apart than this are taken as this far apart, so that no product leaves the range of f64.
+const SMALLEST_RATIO: f64 = bounds::LARGEST_RATIO.recip();
 /// Terms that agree to this many bits are subtracted without rounding; else 90 bits are left of the 106.
 const CANCELLED_BITS: i32 = 10;
 /// A spin within `2⁻¹⁶` of a principal axis of a turned body: what is beside the axis is found without the axis' own rounding.

@@ -151,6 +151,12 @@ pub(crate) const KINDS: &[Kind] = &[
         let start = own_axes(r, [a, b, 1.0], spin);
         Start { time: start.time * (a * b).sqrt(), ..start }
     }),
+    kind("the farthest from a solid's that the bounds hold for", |r| {
+        // (I₃ − I₁)(I₃ − I₂) just below 10¹¹ I₁I₂.
+        let (i1, i2) = (power(r, -3.0, 0.0), power(r, 0.0, 3.0));
+        let start = own_axes(r, [i1, i2, 0.999 * (1e11 * i1 * i2).sqrt()], spin);
+        Start { time: sign(r) * power(r, 10.0, 12.0), ..start }
+    }),
     kind("tiny and huge momentum", |r| {
         let unit = power(r, -290.0, 150.0);
         let any = solid_moments(r).map(|m| m * unit);
@@ -199,6 +205,13 @@ pub(crate) const KINDS: &[Kind] = &[
         let mut start = turned(r, any, turn, |r| [tilt * r.between(-1.0, 1.0), sign(r), tilt * r.between(-1.0, 1.0)]);
         start.time = sign(r) * power(r, 0.0, 3.0);
         start
+    }),
+    kind("a tensor near the separatrix", |r| {
+        let any = solid_moments(r);
+        let off = power(r, -16.0, -1.0);
+        let (omega, _) = near_separatrix_of(r, any, off);
+        let turn = r.rotation();
+        turned(r, any, turn, |_| omega)
     }),
     kind("a tensor with a small entry", |r| {
         let [xx, yy, zz] = solid_moments(r);

@@ -31,7 +31,8 @@ use super::{Body, State};
 /// given: of a start's angular velocity, of a box's edges, of a tensor's entries, of solids. On which side of the separatrix they lie is
 /// found without rounding, principal moments and axes to 106 bits and more, both rates to 100, and phases are reduced before use. So
 /// attitude and momentum are good to 1e-13 up to some 10¹³ rad (seen: 1.1e-14), in turned frames too; beyond 10³⁰ turns no digit of a phase is left, and what
-/// is returned is a state on the right orbit. Moments further apart than 2¹⁸⁰ are taken as that far apart. See [`bounds`](super::bounds).
+/// is returned is a state on the right orbit. Of moments that no solid has, the further the fewer digits of the attitude are left; moments further apart than
+/// 2¹⁸⁰ are taken as that far apart. See [`bounds`](super::bounds) and [`Body::is_within_bounds`].
 ///
 /// Preparing costs about a microsecond, two where a hard case needs digits; three where a tensor is turned beside an axis of its own.
 ///

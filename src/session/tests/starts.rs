@@ -236,5 +236,11 @@ fn the_time_line_of_a_loss_is_as_long_as_the_loss_takes() -> Result<(), SceneErr
         let high = driven.session.timeline.high;
         assert!((high / expected - 1.0).abs() < 1e-14, "{high} {expected}");
     }
+    // Where the loss takes longer than anyone looks, ten turns.
+    let mut driven = Driven::new("flip")?;
+    let text = "body.moments = [1, 2, 3]\nspin = { axis = 1, rate = 4.0 }\nmotion.energy_loss = 1e-12".to_owned();
+    driven.apply(Command::OpenText { name: "loss.toml".to_owned(), text });
+    let high = driven.session.timeline.high;
+    assert!((high - 10.0 * std::f64::consts::TAU / 4.0).abs() < 1e-14 * high, "{high}");
     Ok(())
 }
