@@ -138,6 +138,7 @@ fn any_time_is_that_of_each_alone() {
     for batch in both(&bodies) {
         for time in [-1e3, -0.7, 1e-9, 0.3, 11.0, 5e4, 1e8, 1e12, 1e17, 1e300] {
             let (states, momenta) = (batch.states_at(time), batch.momenta_at(time));
+            assert_eq!([states.len(), momenta.len()], [bodies.len(); 2]);
             for (((body, start), state), momentum) in bodies.iter().zip(&states).zip(&momenta) {
                 let alone = Motion::new(body, start).state(time);
                 let what = format!("{:?} {:?} at {time}", body.principal_moments(), start.body_momentum);
@@ -199,6 +200,7 @@ fn starts_of_one_body() {
         pairs_batch.advance(0.01, 77);
         assert_eq!(starts_batch.states(), pairs_batch.states());
         let (states, momenta) = (starts_batch.states_at(12.3), starts_batch.momenta_at(12.3));
+        assert_eq!([states.len(), momenta.len()], [count; 2]);
         for (state, momentum) in states.iter().zip(&momenta) {
             assert_at_most((state.body_momentum - *momentum).length() / momentum.length(), 8.0 * EPS, "momenta");
         }

@@ -85,16 +85,18 @@ pub(super) fn connect() -> Result<EventLoop<Wake>, WindowError> {
         return Err(compositor.map_or(WindowError::NoDisplay, gone));
     }
     // Asked by a library of our own: what is missing of X11's is another matter.
-    if let Err(error) = x11rb::connect(None) {
-        return Err(WindowError::NoServer(std::env::var("DISPLAY").unwrap_or_default(), error.to_string()));
-    }
+    let asked = x11rb::connect(None)
+        .map_err(|error| WindowError::NoServer(std::env::var("DISPLAY").unwrap_or_default(), error.to_string()))?;
     // winit would panic where this library is missing.
     if xkbcommon_dl::x11::xkbcommon_x11_option().is_none() {
         return Err(WindowError::NoKeyboardLibrary);
     }
     // Not left to winit, which asks for a compositor wherever one is named.
     builder.with_x11();
-    build(builder)
+    let events = build(builder);
+    // Not before: a server that is left by its last client begins anew, and meanwhile takes none.
+    drop(asked);
+    events
 }
 
 /// Whether a Wayland compositor listens under this name, or at this path.

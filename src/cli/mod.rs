@@ -178,9 +178,10 @@ pub(crate) fn main() -> ExitCode {
 /// Why there is no such command, where this program was built without the room that it runs.
 fn left_out(first: Option<&OsStr>) -> Option<Failure> {
     /// A command, what it is for, the feature that brings it, and whether that is there.
-    const PARTS: [(&str, &str, &str, bool); 5] = [
+    const PARTS: [(&str, &str, &str, bool); 6] = [
         ("shot", "pictures", "headless", cfg!(feature = "headless")),
         ("record", "pictures", "headless", cfg!(feature = "headless")),
+        ("handout", "pictures", "headless", cfg!(feature = "headless")),
         ("adapters", "pictures", "headless", cfg!(feature = "headless")),
         ("objects", "pictures", "picture", cfg!(feature = "picture")),
         ("report", "the report", "report", cfg!(feature = "report")),

@@ -237,7 +237,9 @@ fn around_now_is_the_motion_itself() -> Result<(), SceneError> {
         let wanted = [2.0, 2.5, 3.0, 3.5, 4.0, 4.5].map(&mut at);
         at(4.0);
         // By steps of 0.05 rad at most: (0.05)⁴ of some 20 rad, over the factor of a hundred or so that such errors have.
-        for (found, wanted) in simulation.around(-2.0, 0.5, 5).iter().zip(&wanted) {
+        let around = simulation.around(-2.0, 0.5, 5);
+        assert_eq!(around.len(), wanted.len());
+        for (found, wanted) in around.iter().zip(&wanted) {
             let apart = so3::angle_between(found.world_from_body, wanted.world_from_body);
             assert!(apart < bound, "{apart}");
         }

@@ -77,18 +77,20 @@ impl Integration {
     /// negative. Only [`LOSS_METHOD`](super::LOSS_METHOD) knows it: with the others it is as if there were none.
     ///
     /// ```
+    /// use dzhanibekov::glam::{DMat3, DVec3};
     /// use dzhanibekov::physics::{Body, Integration, State, method, methods::LOSS_METHOD};
-    /// use glam::{DMat3, DVec3};
     ///
-    /// // A rod spun about its length ends about axis 3, where it turns I₁/I₃ times as fast.
-    /// let body = Body::from_moments(DVec3::new(0.2, 1.0, 1.1))?;
-    /// let start = State::new(&body, DMat3::IDENTITY, DVec3::new(10.0, 0.0, 0.1));
-    /// let method = method(LOSS_METHOD).expect("it is in the table");
-    /// let mut integration = Integration::with_energy_loss(method, &body, start, 0.01, 0.1);
-    /// let end = integration.state_at(200.0)?;
-    /// let slower = end.body_angular_velocity(&body).length() / start.body_angular_velocity(&body).length();
-    /// assert!((slower - 0.2 / 1.1).abs() < 1e-3);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// fn main() -> Result<(), Box<dyn std::error::Error>> {
+    ///     // A rod spun about its length ends about axis 3, where it turns I₁/I₃ times as fast.
+    ///     let body = Body::from_moments(DVec3::new(0.2, 1.0, 1.1))?;
+    ///     let start = State::new(&body, DMat3::IDENTITY, DVec3::new(10.0, 0.0, 0.1));
+    ///     let method = method(LOSS_METHOD).expect("it is in the table");
+    ///     let mut integration = Integration::with_energy_loss(method, &body, start, 0.01, 0.1);
+    ///     let end = integration.state_at(200.0)?;
+    ///     let slower = end.body_angular_velocity(&body).length() / start.body_angular_velocity(&body).length();
+    ///     assert!((slower - 0.2 / 1.1).abs() < 1e-3);
+    ///     Ok(())
+    /// }
     /// ```
     #[must_use]
     pub fn with_energy_loss(method: &'static Method, body: &Body, start: State, step: f64, energy_loss: f64) -> Self {
