@@ -295,6 +295,14 @@ const ARGUMENTS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disabl
   await settled(600);
   await page.screenshot({ path: `${SCRATCH}/sheet.png` });
   check(await page.evaluate(() => window.scrollY === 0 && visualViewport.scale === 1), "the page itself scrolls or zooms");
+  // What is longer than the screen is dragged: the panel, and the sheet of keys.
+  for (const [name, clip, from, to] of [["panel", { x: 12, y: 470, width: 300, height: 250 }, [200, 700], [200, 500]], ["sheet of keys", { x: 60, y: 130, width: 200, height: 400 }, [250, 560], [250, 160]]]) {
+    if (name !== "panel") await page.keyboard.press("h");
+    await settled(1000);
+    const before = await page.screenshot({ clip });
+    await drag([from], [to]);
+    check(await until(async () => !before.equals(await page.screenshot({ clip }))), `a finger does not move the ${name}`);
+  }
   await close(page);
   page = await open("?play=0#flip?scene-step=6", { ...phone, viewport: { width: 844, height: 390 } });
   await settled(500);
