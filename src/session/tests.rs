@@ -5,7 +5,7 @@ use web_time::{Duration, Instant};
 use super::{Effect, Remembered, Session, built_in};
 use crate::objects;
 use crate::physics::{METHODS, MotionClass, poinsot, so3};
-use crate::scene::{BodyFile, Layout, Scene, SceneError, SceneFile, Theme, preset};
+use crate::scene::{BodyFile, Layout, Scene, SceneError, SceneFile, Theme, link, preset};
 use crate::ui::{Command, Pixels};
 
 mod fingers;
@@ -356,6 +356,22 @@ fn the_command_that_is_copied_draws_what_is_shown() -> Result<(), SceneError> {
         assert!(line.contains(words), "{line} lacks {words}");
     }
     assert!(driven.message().contains(line));
+    Ok(())
+}
+
+#[test]
+fn the_link_that_is_copied_opens_what_is_shown() -> Result<(), SceneError> {
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::GoToStep(3));
+    driven.apply(Command::SetRate(3.25));
+    driven.apply(Command::GoTo(1.25));
+    let effects = driven.apply(Command::CopyLink);
+    let [Effect::CopyLink(text)] = effects.as_slice() else {
+        return Err(SceneError::NotAScene { line: 0, message: format!("{effects:?}") });
+    };
+    assert!(text.starts_with("#flip?"), "{text}");
+    let read = link::read(text)?;
+    assert_eq!((read.file.spin.rate, read.step, read.time), (Some(3.25), Some(3), Some(1.25)));
     Ok(())
 }
 

@@ -201,3 +201,28 @@ fn a_handout_has_a_page_a_step_and_the_answer_where_it_is_open() -> Result<(), S
     assert!(said(&driven)[2].contains("because"));
     Ok(())
 }
+
+/// A step's own words hold also where they are those of the step before; what it leaves out is as it was told last.
+#[test]
+fn a_step_says_how_time_runs_whatever_was_done_before() -> Result<(), SceneError> {
+    let text = "[[step]]\ntext = 'a'\n[[step]]\npause = true\nspeed = 0.5\n[[step]]\npause = true\nspeed = 0.5\n[[step]]\ntext = 'd'";
+    let mut driven = Driven::new("flip")?;
+    driven.apply(Command::OpenText { name: "pace".to_owned(), text: text.to_owned() });
+    let pace = |driven: &Driven| (driven.session.sim.clock.paused, driven.session.sim.clock.speed);
+    driven.apply(Command::GoToStep(1));
+    assert_eq!(pace(&driven), (true, 0.5));
+    driven.apply(Command::PlayPause);
+    driven.apply(Command::SetSpeed(2.0));
+    driven.apply(Command::GoToStep(2));
+    assert_eq!(pace(&driven), (true, 0.5));
+    // The next one leaves it out: so it stays, as the user has it.
+    driven.apply(Command::PlayPause);
+    driven.apply(Command::SetSpeed(2.0));
+    driven.apply(Command::GoToStep(3));
+    assert_eq!(pace(&driven), (false, 2.0));
+    // Back at the first, which nothing was said before.
+    driven.apply(Command::GoToStep(1));
+    driven.apply(Command::GoToStep(0));
+    assert_eq!(pace(&driven), (false, 1.0));
+    Ok(())
+}
