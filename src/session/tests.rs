@@ -372,6 +372,13 @@ fn the_link_that_is_copied_opens_what_is_shown() -> Result<(), SceneError> {
     assert!(text.starts_with("#flip?"), "{text}");
     let read = link::read(text)?;
     assert_eq!((read.file.spin.rate, read.step, read.time), (Some(3.25), Some(3), Some(1.25)));
+    // So does a picture that is written of it, whole.
+    let remarks = driven.session.remarks([640, 360]);
+    let said = |keyword| remarks.iter().find(|(of, _)| *of == keyword).map_or("", |(_, text)| text.as_str());
+    assert_eq!((said("Software"), said("Title"), said("Description")), ("dzhanibekov", "The flip", "t = 1.25 s"));
+    assert!(said("Comment").contains("--rate 3.25") && said("Comment").contains("--size 640x360"), "{remarks:?}");
+    let read = link::read(said("Scene"))?;
+    assert_eq!((read.file.spin.rate, read.step, read.time), (Some(3.25), Some(3), Some(1.25)));
     Ok(())
 }
 

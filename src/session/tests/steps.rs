@@ -129,9 +129,13 @@ fn the_picture_glides_to_a_step_also_while_time_stands() -> Result<(), SceneErro
     let revision = driven.session.revision();
     driven.run(0.1);
     assert_eq!(driven.session.revision(), revision);
+    // What has glided there is what is there at once.
+    let glided = driven.session.frame(2.0);
     driven.session.set_gliding(false);
     driven.apply(Command::PreviousStep);
     assert!((eye(&driven).unwrap_or_default() - before).abs() < 1e-3);
+    driven.apply(Command::NextStep);
+    assert!(driven.session.frame(2.0) == glided);
     Ok(())
 }
 
