@@ -3,48 +3,11 @@
 const { chromium } = require("playwright-core");
 const { execFileSync } = require("node:child_process");
 const fs = require("node:fs");
-const http = require("node:http");
-const path = require("node:path");
+const { COUNT, begun, broken, check, complaints, end, fail, pressed, same, send, serve, settled, state, until, watch } = require("./smoke-page-common.cjs");
 
-const { PAGE, PROGRAM, SCRATCH, SHOT, SCENES, ONE } = process.env;
-const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".json": "application/json" };
+const { PROGRAM, SCRATCH, SHOT, SCENES, ONE } = process.env;
 const ARGUMENTS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
   "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-let failed = 0;
-const fail = (words) => { console.error(`smoke: ${words}`); failed = 1; };
-const check = (holds, words) => holds || fail(words);
-const settled = (ms) => new Promise((done) => setTimeout(done, ms));
-
-// The page from a path of its own, as any server has it, and another page that shows it.
-const serve = (extra) => new Promise((done) => {
-  const server = http.createServer((request, response) => {
-    let name = decodeURIComponent(new URL(request.url, "http://x").pathname);
-    if (name === "/favicon.ico") return response.writeHead(204).end();
-    if (extra && extra[name]) return response.writeHead(200, { "content-type": "text/html" }).end(extra[name]);
-    if (!name.startsWith("/some/where/")) return response.writeHead(404).end();
-    name = name.slice("/some/where/".length) || "index.html";
-    const file = path.join(PAGE, path.normalize(name));
-    if (!file.startsWith(PAGE) || !fs.existsSync(file)) return response.writeHead(404).end();
-    response.writeHead(200, { "content-type": TYPES[path.extname(file)] || "application/octet-stream" }).end(fs.readFileSync(file));
-  });
-  server.listen(0, "127.0.0.1", () => done(server));
-});
-
-const complaints = [];
-const watch = (page) => {
-  page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
-  page.on("pageerror", (error) => complaints.push(String(error)));
-};
-const COUNT = () => {
-  window.frames_seen = 0;
-  const ask = window.requestAnimationFrame.bind(window);
-  window.requestAnimationFrame = (call) => ask((time) => { window.frames_seen++; const from = performance.now(); call(time); (window.frame_times ||= []).push(performance.now() - from); });
-  window.answers = [];
-  window.addEventListener("message", (event) => { if (event.data && event.data.dzhanibekov === "is") window.answers.push(event.data); });
-  window.keys_seen = {};
-  window.addEventListener("keydown", (event) => { window.keys_seen[(event.ctrlKey ? "Ctrl+" : "") + event.key] = event.defaultPrevented; });
-  document.addEventListener("securitypolicyviolation", (event) => console.error(`CSP: ${event.violatedDirective} ${event.blockedURI}`));
-};
 
 (async () => {
   const server = await serve();
@@ -56,45 +19,17 @@ const COUNT = () => {
     watch(page);
     await page.addInitScript(COUNT);
     await page.goto(base + address);
-    await page.waitForFunction(() => document.documentElement.dataset.state !== "loading", null, { timeout: 60000 });
-    const state = await page.evaluate(() => `${document.documentElement.dataset.state} ${document.getElementById("sentence").textContent}`);
-    check(state.trim() === "running", `${address}: the page says: ${state}`);
+    await begun(page, address);
     return page;
-  };
-  const state = async (page) => {
-    await page.evaluate(() => { window.answers = []; window.postMessage({ dzhanibekov: "state" }, "*"); });
-    await page.waitForFunction(() => window.answers.length > 0, null, { timeout: 10000 });
-    return page.evaluate(() => window.answers[0]);
-  };
-  // Whatever takes its time is asked for until it is there.
-  const until = async (ask) => {
-    for (const end = Date.now() + 8000; Date.now() < end; await settled(50)) if (await ask()) return true;
-    return false;
-  };
-  const pressed = async (page, key, differs) => {
-    const before = await state(page);
-    await page.keyboard.press(key);
-    let after;
-    if (!await until(async () => differs(before, after = await state(page)))) fail(`${key} does not do what it should: ${JSON.stringify(before)} → ${JSON.stringify(after)}`);
   };
   const close = (page) => page.context().close();
 
   // The picture is the window's.
   let page = await open("?play=0#flip?time=0&scene-step=1");
-  await settled(9000);
-  let seen = await page.evaluate(() => window.frames_seen);
-  await settled(5000);
-  check(await page.evaluate(() => window.frames_seen) === seen, "paused, the page draws on");
-  await page.screenshot({ path: `${SCRATCH}/desk.png` });
-  const compared = (() => {
-    try { return execFileSync("compare", ["-metric", "MAE", SHOT, `${SCRATCH}/desk.png`, "null:"], { stdio: ["ignore", "pipe", "pipe"] }).toString(); } catch (error) { return error.stderr.toString(); }
-  })();
-  const difference = Number((/\(([^)]*)\)/.exec(compared) || [])[1]);
-  // Edges are smoothed by another device: a few in a thousand of the whole range, in the mean.
-  check(difference < 0.005, `the page and shot --panel differ by ${compared}`);
+  await same(page, SHOT, `${SCRATCH}/desk.png`);
 
   // Keys, without a click: on a scene with no steps, whose link says each thing by its key; then on one that is told in steps.
-  await page.evaluate(() => window.postMessage({ dzhanibekov: "open", link: "#t-handle" }, "*"));
+  await send(page, "#t-handle");
   await until(async () => (await state(page)).link.startsWith("#t-handle"));
   for (const [key, differs] of [
     ["Space", (a, b) => a.playing !== b.playing], ["Space", (a, b) => a.playing !== b.playing], ["ArrowRight", (a, b) => b.time > a.time], ["ArrowLeft", (a, b) => b.time < a.time],
@@ -105,7 +40,7 @@ const COUNT = () => {
     ["f", (a, b) => b.link !== a.link], ["t", (a, b) => b.link.includes("view.theme=light")], ["l", (a, b) => b.link.includes("view.labels=false")],
     ["Shift+PageDown", (a, b) => b.title !== a.title], ["Shift+PageUp", (a, b) => b.title !== a.title],
   ]) await pressed(page, key, differs);
-  await page.evaluate(() => window.postMessage({ dzhanibekov: "open", link: "#flip" }, "*"));
+  await send(page, "#flip");
   await until(async () => (await state(page)).link.startsWith("#flip"));
   await pressed(page, "PageDown", (a, b) => b.link.includes("scene-step=2"));
   await pressed(page, "PageUp", (a, b) => b.link.includes("scene-step=1"));
@@ -141,6 +76,20 @@ const COUNT = () => {
   await refused("no WebGL 2", "no 3D", () => { HTMLCanvasElement.prototype.getContext = () => null; });
   await refused("no memory", "not enough memory", () => { WebAssembly.instantiate = WebAssembly.instantiateStreaming = () => Promise.reject(new RangeError("no memory")); });
   await refused("no wasm at the server", "answers 404", null, { route: (route) => route.fulfill({ status: 404, body: "" }) });
+
+  // Where it goes wrong later, in a frame or in what waits, it says so too: a page as it is published has no other words for it.
+  for (const how of ["frame", "promise"]) {
+    page = await open("?play=0");
+    const before = complaints.length;
+    await page.evaluate((how) => {
+      const { exports } = new WebAssembly.Instance(new WebAssembly.Module(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 5, 1, 1, 97, 0, 0, 10, 5, 1, 3, 0, 0, 11])));
+      if (how === "frame") requestAnimationFrame(() => exports.a());
+      else setTimeout(() => Promise.resolve().then(() => exports.a()));
+    }, how);
+    check(await until(() => page.evaluate(() => document.documentElement.dataset.state === "failed" && document.getElementById("sentence").textContent.includes("load it again"))), `a fault in a ${how} is not said`);
+    complaints.length = before;
+    await close(page);
+  }
 
   // Dark or light and more or less motion, as the browser has it, also while it is open; what the address says counts more.
   page = await open("?play=0#t-handle");
@@ -186,7 +135,7 @@ const COUNT = () => {
   check(scenes.length > 5, "the program lists no scenes");
   for (const name of scenes) {
     const link = async (asked) => {
-      await page.evaluate((asked) => window.postMessage({ dzhanibekov: "open", link: asked }, "*"), asked);
+      await send(page, asked);
       await until(async () => (await state(page)).link.startsWith(`#${name}`));
       return (await state(page)).link;
     };
@@ -205,6 +154,9 @@ const COUNT = () => {
   check(await until(async () => !(await state(page)).link.startsWith("#flip")), "forward does not go forward");
   await page.evaluate(() => { location.hash = "#flop"; });
   check(await until(() => page.evaluate(() => document.getElementById("live").textContent.includes("flop"))), "a bad link says nothing");
+  // One that no scene's name is near: all names, and no command, which a page has not.
+  await page.evaluate(() => { location.hash = "#qqqqq"; });
+  check(await until(() => page.evaluate(() => { const said = document.getElementById("live").textContent; return said.includes("there are axis-1, ") && !said.includes("`dzhanibekov"); })), "a bad link does not say which there are");
   await close(page);
 
   // The motion as numbers: those of the program.
@@ -215,7 +167,7 @@ const COUNT = () => {
     const link = `#axis-1?${encodeURI(`${body}&spin.omega=${JSON.stringify(omega)}`)}&motion.method=closed-form`;
     const times = samples.map((sample) => sample.t);
     const wanted = execFileSync(PROGRAM, ["trace", link, "--quiet", `--at=${times.join(",")}`]).toString().trim().split("\n").slice(1).map((row) => row.split(",").map(Number));
-    await page.evaluate((link) => window.postMessage({ dzhanibekov: "open", link }, "*"), link);
+    await send(page, link);
     await page.evaluate((times) => { window.answers = []; window.postMessage({ dzhanibekov: "trace", times }, "*"); }, times);
     await until(() => page.evaluate(() => window.answers.some((answer) => answer.rows || answer.error)));
     const rows = await page.evaluate(() => window.answers.filter((answer) => answer.rows).map((answer) => answer.rows.map((row) => [...row]))[0]);
@@ -260,14 +212,14 @@ const COUNT = () => {
     document.getElementById("canvas").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
   }, long);
   check(await until(async () => (await state(page)).title === "Long" && page.url().includes("#scene=")) && page.url().length < long.length / 10, `a long scene has an address of ${page.url().length} signs`);
-  await page.evaluate(() => window.postMessage({ dzhanibekov: "open", link: "#flip?spin.rate=8" }, "*"));
+  await send(page, "#flip?spin.rate=8");
   await until(async () => (await state(page)).link.includes("spin.rate=8"));
   const press = async (words) => await until(() => find(words)) && page.evaluate((words) => [...document.querySelectorAll("#mirror button")].find((button) => button.textContent.startsWith(words)).click(), words);
   await press("Picture");
   const [chooser] = await Promise.all([page.waitForEvent("filechooser"), press("open a file")]);
   await chooser.setFiles({ name: "chosen.toml", mimeType: "application/toml", buffer: Buffer.from("title = \"Chosen\"\n[body]\nbox = [0.3, 0.2, 0.1]\nmass = 1\n[spin]\naxis = 1\nrate = 2\n") });
   check(await until(async () => (await state(page)).title === "Chosen"), "a chosen file does not open");
-  await page.evaluate(() => window.postMessage({ dzhanibekov: "open", link: "#flip" }, "*"));
+  await send(page, "#flip");
   await until(async () => (await state(page)).link.startsWith("#flip"));
   const [picture] = await Promise.all([page.waitForEvent("download"), press("write picture")]);
   check(picture.suggestedFilename() === "the-flip.png" && fs.statSync(await picture.path()).size > 10000, "the picture is not downloaded");
@@ -343,6 +295,14 @@ const COUNT = () => {
   await settled(600);
   await page.screenshot({ path: `${SCRATCH}/sheet.png` });
   check(await page.evaluate(() => window.scrollY === 0 && visualViewport.scale === 1), "the page itself scrolls or zooms");
+  // What is longer than the screen is dragged: the panel, and the sheet of keys.
+  for (const [name, clip, from, to] of [["panel", { x: 12, y: 470, width: 300, height: 250 }, [200, 700], [200, 500]], ["sheet of keys", { x: 60, y: 130, width: 200, height: 400 }, [250, 560], [250, 160]]]) {
+    if (name !== "panel") await page.keyboard.press("h");
+    await settled(1000);
+    const before = await page.screenshot({ clip });
+    await drag([from], [to]);
+    check(await until(async () => !before.equals(await page.screenshot({ clip }))), `a finger does not move the ${name}`);
+  }
   await close(page);
   page = await open("?play=0#flip?scene-step=6", { ...phone, viewport: { width: 844, height: 390 } });
   await settled(500);
@@ -388,7 +348,5 @@ const COUNT = () => {
   await sharp.close();
   server.close();
 
-  check(complaints.length === 0, `the browser complains: ${complaints.join("; ")}`);
-  if (failed) process.exit(1);
-  console.error("smoke: the page holds");
-})().catch((error) => { console.error(`smoke: ${error.stack}`); process.exit(1); });
+  end("Chromium");
+})().catch(broken);

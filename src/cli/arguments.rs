@@ -284,7 +284,9 @@ impl Source<'_> {
     fn read(&self) -> Result<Link, String> {
         let built_in = |name: &str| Ok(Link { file: preset(name)?.read()?, ..Link::default() });
         match self {
-            Self::BuiltIn(name) => built_in(name).map_err(|error: SceneError| error.to_string()),
+            Self::BuiltIn(name) => built_in(name).map_err(|error: SceneError| {
+                format!("{error}; a scene of your own is given by the path of its .toml file")
+            }),
             Self::Link(text) => link::read(text).map_err(|error| error.to_string()),
             Self::Path(path) => files::read_scene(path).map_err(|error| format!("{}: {error}", path.display())),
         }

@@ -91,7 +91,7 @@ pub fn read(bytes: &[u8]) -> Result<Link, SceneError> {
     let found = if bytes.starts_with(PNG) { in_png(bytes) } else { in_markup(bytes) };
     let Some(link) = found else {
         return Err(SceneError::Unreadable(format!(
-            "is {kind} that carries no scene: only one that this program wrote, and not with --no-metadata, opens"
+            "is {kind} that carries no scene: only one that this program wrote, with its metadata, opens"
         )));
     };
     link::read(&link).map_err(|error| SceneError::Unreadable(format!("is {kind} whose scene has a fault: {error}")))
@@ -209,7 +209,7 @@ mod tests {
     #[test]
     fn what_carries_none_is_refused_in_one_sentence() -> Result<(), SceneError> {
         let (_, link) = drawn()?;
-        let none = "carries no scene: only one that this program wrote, and not with --no-metadata, opens";
+        let none = "carries no scene: only one that this program wrote, with its metadata, opens";
         let whole = png(&[chunk("tEXt", format!("Scene\0{link}").as_bytes())]);
         for cut in PNG.len()..whole.len() - 30 {
             assert!(refused(&whole[..cut]).ends_with(none), "{cut}");

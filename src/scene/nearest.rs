@@ -1,12 +1,13 @@
 //! The nearest known name to one that is not known.
 
+use super::SceneError;
+
 /// Lengths of a name that can stand for another: of two letters anything is far, and no known name is half as long as 64.
 const LENGTHS: std::ops::RangeInclusive<usize> = 3..=64;
 
 /// The known name nearest to `given`, where any is near enough to be meant: one slip in three or four letters and another
 /// in every three more (a letter more, less, other, or two swapped), or a word of it (`symmetric` for `symmetric-top`).
-#[must_use]
-pub fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub(super) fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = given.chars().count();
     if !LENGTHS.contains(&length) {
         return None;
@@ -28,9 +29,22 @@ fn is_part(given: &str, name: &str) -> bool {
     name.starts_with(given) || name.split('-').any(|word| word == given)
 }
 
+impl SceneError {
+    /// An unknown name, with the nearest of those that are known, or all of them: that serves in every front end, also where
+    /// no command would list them.
+    pub(crate) fn unknown_name<'a>(kind: &'static str, given: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
+        let known: Vec<&str> = known.into_iter().collect();
+        let hint = match nearest(given, known.iter().copied()) {
+            Some(near) => format!("the nearest is `{near}`"),
+            None => format!("there are {}", known.join(", ")),
+        };
+        Self::UnknownName { kind, given: given.to_owned(), hint }
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::nearest;
+    use super::{SceneError, nearest};
 
     const KNOWN: [&str; 7] = ["flip", "symmetric-top", "near-separatrix", "rk4", "body", "poles", "spin"];
 
@@ -65,5 +79,22 @@ mod tests {
     fn the_nearer_of_two_is_said() {
         assert_eq!(nearest("poley", ["polxx", "poles"]), Some("poles"));
         assert_eq!(nearest("abcdefghi", ["abcdefxyz", "abcdefghx"]), Some("abcdefghx"));
+    }
+
+    #[test]
+    fn a_name_that_none_is_near_is_refused_with_all_that_there_are() {
+        for (given, sentence) in [
+            ("flop", "scene `flop` is not known: the nearest is `flip`"),
+            (
+                "qqqqq",
+                "scene `qqqqq` is not known: there are flip, symmetric-top, near-separatrix, rk4, body, poles, spin",
+            ),
+            (
+                "a\nb",
+                r"scene `a\nb` is not known: there are flip, symmetric-top, near-separatrix, rk4, body, poles, spin",
+            ),
+        ] {
+            assert_eq!(SceneError::unknown_name("scene", given, KNOWN).to_string(), sentence);
+        }
     }
 }

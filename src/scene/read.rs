@@ -4,8 +4,9 @@ use toml::de::DeTable;
 
 use super::field::Wrong;
 use super::keys::{KEYS, Key, SOLID_KEYS, STEP_KEYS, inside, key, keys_of};
+use super::nearest::nearest;
 use super::value::{Entry, Item, Value, entries, shortened};
-use super::{SceneError, SceneFile, SolidFile, StepFile, nearest};
+use super::{SceneError, SceneFile, SolidFile, StepFile};
 
 /// The keys without which a solid is none.
 const NEEDED: [&str; 2] = ["kind", "size"];

@@ -111,6 +111,9 @@ mod tests {
         assert_eq!(go_to(&mut checkpoints, full + 64).ok(), Some(full + 64));
         let half: Vec<i64> = (0..=128).map(|place| 128 * place).collect();
         assert_eq!(checkpoints.places(), half);
+        // From then on twice as far apart.
+        assert_eq!(go_to(&mut checkpoints, full + 192).ok(), Some(full + 192));
+        assert_eq!(checkpoints.places().split_last(), Some((&(full + 192), &half[..])));
         Ok(())
     }
 }

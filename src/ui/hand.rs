@@ -86,6 +86,9 @@ pub(super) fn time_in_drawer(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Co
     transport::flips(ui, look);
     ui.horizontal(|ui| {
         ui.set_height(FINGER);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| transport::speed(ui, look, commands));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| transport::speed_row(ui, look, commands));
+    });
+    ui.horizontal(|ui| {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| transport::where_and_how_slow(ui, look));
     });
 }

@@ -9,6 +9,8 @@ use crate::objects::WORDS;
 
 /// Width (points) that two columns take.
 const TWO_COLUMNS: f32 = 860.0;
+/// Width (points) below which keys and states have no column of their own: a screen in the hand, on which the rows are pressed.
+const ONE_COLUMN: f32 = 560.0;
 /// Height (points) that the frame takes besides what it holds.
 const FRAME: f32 = 96.0;
 
@@ -27,7 +29,7 @@ pub(super) fn show(ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
         let close = if for_fingers { style::FINGER + ui.spacing().item_spacing.y } else { 0.0 };
         let most = (room.y - FRAME - close).max(60.0);
         ScrollArea::vertical().max_height(most).min_scrolled_height(most).show(ui, |ui| {
-            sheet(ui, look, columns, commands);
+            sheet(ui, look, columns, room.x < ONE_COLUMN, commands);
         });
     });
     if !open || is_closed {
@@ -35,9 +37,25 @@ pub(super) fn show(ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     }
 }
 
-fn sheet(ui: &mut Ui, look: &Look<'_>, columns: usize, commands: &mut Vec<Command>) {
+fn sheet(ui: &mut Ui, look: &Look<'_>, columns: usize, is_slim: bool, commands: &mut Vec<Command>) {
+    let bound: Vec<_> = BINDINGS.iter().filter_map(|row| Some((row, keys(row, look.front)?))).collect();
+    let mut press = |ui: &mut Ui, binding: &Binding| {
+        // What it does stands at the left also where the place to press is wider.
+        let button = Button::new(()).left_text(binding.does).frame(false).min_size(ui.spacing().interact_size);
+        if ui.add(button).clicked() {
+            commands.push(binding.command.clone());
+        }
+        if let Some(state) = (binding.state)(look) {
+            ui.label(RichText::new(state).weak());
+        }
+    };
+    if is_slim {
+        for (binding, _) in &bound {
+            ui.horizontal(|ui| press(ui, binding));
+        }
+        return words_below(ui, look);
+    }
     ui.horizontal_top(|ui| {
-        let bound: Vec<_> = BINDINGS.iter().filter_map(|row| Some((row, keys(row, look.front)?))).collect();
         for (column, rows) in bound.chunks(bound.len().div_ceil(columns)).enumerate() {
             if column > 0 {
                 ui.add_space(24.0);
@@ -45,17 +63,17 @@ fn sheet(ui: &mut Ui, look: &Look<'_>, columns: usize, commands: &mut Vec<Comman
             Grid::new(("keys", column)).num_columns(3).spacing([14.0, 6.0]).show(ui, |ui| {
                 for (binding, keys) in rows {
                     ui.label(RichText::new(*keys).monospace().strong());
-                    if ui.add(Button::new(binding.does).frame(false).min_size(ui.spacing().interact_size)).clicked() {
-                        commands.push(binding.command.clone());
-                    }
-                    if let Some(state) = (binding.state)(look) {
-                        ui.label(RichText::new(state).weak());
-                    }
+                    press(ui, binding);
                     ui.end_row();
                 }
             });
         }
     });
+    words_below(ui, look);
+}
+
+/// The words, and what there is besides keys.
+fn words_below(ui: &mut Ui, look: &Look<'_>) {
     ui.separator();
     // As wide as the keys, however long the sentences are.
     let width = ui.min_rect().width();

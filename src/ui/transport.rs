@@ -20,6 +20,8 @@ const BUTTONS_WIDTH: f32 = 440.0;
 pub(super) const SECOND_ROW: f32 = 44.0;
 /// How much more room the buttons take where fingers press them, two more with them (points).
 const FINGERS_WIDTH: f32 = 156.0;
+/// How much more room the speed takes there, whose words stand beside it and not below (points).
+const FINGERS_WORDS: f32 = 215.0;
 /// How long before a flip (s of real time) its countdown lights up.
 const SOON: f64 = 1.0;
 
@@ -73,7 +75,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
 
 /// Whether a strip of this width (points) has no room for everything in one row.
 pub(super) fn is_narrow(ui: &Ui, width: f32) -> bool {
-    let more = if style::is_for_fingers(ui) { FINGERS_WIDTH } else { 0.0 };
+    let more = if style::is_for_fingers(ui) { FINGERS_WIDTH + FINGERS_WORDS } else { 0.0 };
     width < BUTTONS_WIDTH + more + FLIPS_WIDTH + SPEED_WIDTH
 }
 
@@ -91,10 +93,13 @@ fn clock_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     }
 }
 
-/// The speed, and below it where one is in the scene and that time runs slowly.
-pub(super) fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let slow = look.slow_words();
-    if slow.is_none() && look.scene.at.is_none() {
+/// The speed, and below it where one is in the scene and that time runs slowly: beside it where fingers have a higher slider.
+fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    if style::is_for_fingers(ui) {
+        speed_row(ui, look, commands);
+        return where_and_how_slow(ui, look);
+    }
+    if look.slow_words().is_none() && look.scene.at.is_none() {
         return speed_row(ui, look, commands);
     }
     ui.allocate_ui_with_layout(vec2(SPEED_WIDTH, 42.0), Layout::top_down(Align::Max), |ui| {
@@ -103,17 +108,23 @@ pub(super) fn speed(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
             speed_row(ui, look, commands);
         });
         ui.allocate_ui_with_layout(vec2(SPEED_WIDTH, 18.0), Layout::right_to_left(Align::Center), |ui| {
-            if let Some(step) = look.step_words() {
-                ui.label(RichText::new(step).size(14.5));
-            }
-            if let Some(slow) = slow {
-                ui.label(RichText::new(slow).size(14.5).color(style::warning(ui.visuals().dark_mode)));
-            }
+            where_and_how_slow(ui, look);
         });
     });
 }
 
-fn speed_row(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+/// Where one is in the scene, and that time runs slowly.
+pub(super) fn where_and_how_slow(ui: &mut Ui, look: &Look<'_>) {
+    if let Some(step) = look.step_words() {
+        ui.label(RichText::new(step).size(14.5));
+    }
+    if let Some(slow) = look.slow_words() {
+        ui.label(RichText::new(slow).size(14.5).color(style::warning(ui.visuals().dark_mode)));
+    }
+}
+
+/// The slider of the speed, and the speed.
+pub(super) fn speed_row(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let speed = look.sim.clock.speed;
     let text = RichText::new(numbers::speed(speed)).monospace().size(16.0);
     ui.add_sized([58.0, 24.0], egui::Label::new(text).halign(Align::Max));

@@ -16,6 +16,7 @@ const NO_GRAPHICS: &str = "This browser draws no 3D here (WebGL 2 is off or miss
 
 /// Opens the page on the canvas of this document; called once, when everything is loaded.
 pub fn start() {
+    // Not in the page as it is published, which has no words about a panic (see .ci/page): there page.js alone says the sentence.
     std::panic::set_hook(Box::new(|info| {
         web_sys::console::error_1(&info.to_string().into());
         effects::fail("Something went wrong in this page: load it again");

@@ -1,6 +1,6 @@
 //! Fingers: one orbits, taps and slides as a pointer does, two move and zoom, one that is held takes M along.
 
-use egui::{Event, Modifiers, PointerButton, Pos2, Rect, Vec2};
+use egui::{Event, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2};
 
 use crate::ui::{Command, Pixels};
 
@@ -106,7 +106,7 @@ impl Fingers {
             (About::Nothing, Phase::Down, _) => {
                 let is_over_picture = place.picture.contains(at);
                 self.about = About::Pointer { rests: is_over_picture.then_some((now, at)) };
-                events.extend([Event::PointerMoved(at), button(at, true)]);
+                events.extend([touched(at), Event::PointerMoved(at), button(at, true)]);
             }
             (About::Pointer { .. }, Phase::Down, [(_, first), (_, second)])
                 if place.picture.contains(*first) && place.picture.contains(*second) =>
@@ -184,6 +184,12 @@ impl Fingers {
         self.is_taken = true;
         events.extend([button(at, false), Event::PointerGone]);
     }
+}
+
+/// That there are fingers, for without one egui lets nothing be scrolled by dragging what it holds. It is gone at once: what fingers do
+/// is a pointer's doing.
+fn touched(pos: Pos2) -> Event {
+    Event::Touch { device_id: TouchDeviceId(0), id: TouchId(0), phase: TouchPhase::Cancel, pos, force: None }
 }
 
 fn button(pos: Pos2, pressed: bool) -> Event {

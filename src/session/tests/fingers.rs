@@ -100,3 +100,47 @@ fn nothing_wants_a_keyboard() -> Result<(), SceneError> {
     assert_eq!(commands, [Command::NextStep]);
     Ok(())
 }
+
+#[test]
+fn the_sheet_of_keys_lies_on_a_screen_in_the_hand() -> Result<(), SceneError> {
+    for size in [Vec2::new(390.0, 844.0), Vec2::new(844.0, 390.0), Vec2::new(820.0, 1180.0)] {
+        let (nodes, _) = shown(&mut touched("flip")?, size, &["Picture", "keys"]);
+        let label = |node: &Node| node.label().or(node.value()).unwrap_or_default().to_owned();
+        let beside: Vec<String> = nodes
+            .iter()
+            .filter(|node| [Role::Button, Role::Label].contains(&node.role()))
+            .filter(|node| node.bounds().is_some_and(|bounds| bounds.x0 < 0.0 || bounds.x1 > f64::from(size.x)))
+            .map(label)
+            .collect();
+        assert!(nodes.iter().any(|node| label(node) == "close"), "{size}: it is not open");
+        assert!(beside.is_empty(), "{size}: {beside:?} are beside the screen");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_finger_leaves_presenters_mode_and_goes_on_in_it() -> Result<(), SceneError> {
+    for size in [Vec2::new(390.0, 844.0), Vec2::new(1024.0, 768.0)] {
+        let mut driven = touched("flip")?;
+        driven.apply(Command::TogglePresenter);
+        let (nodes, commands) = shown(&mut driven, size, &["the next step", "the step", "leave presenter's mode"]);
+        assert_eq!(commands, [Command::NextStep, Command::PreviousStep, Command::TogglePresenter], "{size}");
+        assert!(!driven.session.is_presenting() && !nodes.is_empty());
+    }
+    Ok(())
+}
+
+#[test]
+fn the_step_is_said_on_a_tablet() -> Result<(), SceneError> {
+    for size in
+        [Vec2::new(820.0, 1180.0), Vec2::new(1180.0, 820.0), Vec2::new(744.0, 1133.0), Vec2::new(1600.0, 1000.0)]
+    {
+        let mut driven = touched("flip")?;
+        driven.apply(Command::GoToStep(0));
+        let (nodes, _) = shown(&mut driven, size, &[]);
+        let step = nodes.iter().find(|node| node.value().is_some_and(|value| value.starts_with("step 1 of ")));
+        let bounds = step.and_then(Node::bounds).unwrap_or_default();
+        assert!(bounds.height() > 0.0 && bounds.y1 < f64::from(size.y), "{size}: {bounds:?}");
+    }
+    Ok(())
+}
