@@ -34,6 +34,7 @@ pub use edit::{Edit, Edits};
 pub use field::Kind;
 pub use file::{BodyFile, CameraFile, CloudFile, MotionFile, SceneFile, SolidFile, SpinFile, ViewFile};
 pub use keys::{Flag, KEYS, Key, SOLID_KEYS, STEP_KEYS, inside, key};
+pub use nearest::nearest;
 pub use parts::{Part, PartKind};
 pub use presets::{DEFAULT_PRESET, Preset, preset, presets};
 pub use step::{ALL, Pace, StepFile, Written};

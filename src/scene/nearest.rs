@@ -7,7 +7,7 @@ const LENGTHS: std::ops::RangeInclusive<usize> = 3..=64;
 
 /// The known name nearest to `given`, where any is near enough to be meant: one slip in three or four letters and another
 /// in every three more (a letter more, less, other, or two swapped), or a word of it (`symmetric` for `symmetric-top`).
-pub(super) fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = given.chars().count();
     if !LENGTHS.contains(&length) {
         return None;
