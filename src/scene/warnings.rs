@@ -7,15 +7,16 @@ impl Scene {
     /// What is unusual about a scene that can all the same be run: a sentence each.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
+        let moments = || self.body.principal_moments().to_array().map(number).join(", ");
         let excess = self.body.triangle_excess().map(|ratio| {
-            let i = self.body.principal_moments();
             format!(
-                "moments {}, {}, {}: the largest is {} the sum of the others and no solid has such moments; it goes on all the same",
-                number(i.x),
-                number(i.y),
-                number(i.z),
+                "moments {}: the largest is {} the sum of the others and no solid has such moments; it goes on all the same",
+                moments(),
                 times(ratio)
             )
+        });
+        let beyond = (!self.body.is_within_bounds()).then(|| {
+            format!("moments {}: where moments are so far apart no error of the attitude is promised", moments())
         });
         let names = &self.file.motion.compare;
         let repeated =
@@ -23,7 +24,7 @@ impl Scene {
         let repeated = repeated.map(|(_, name)| {
             format!("method `{name}` stands more than once among those beside the body's own: it is followed once")
         });
-        excess.into_iter().chain(repeated).collect()
+        excess.into_iter().chain(beyond).chain(repeated).collect()
     }
 }
 
@@ -56,7 +57,17 @@ mod tests {
         ] {
             let said =
                 format!("{largest} the sum of the others and no solid has such moments; it goes on all the same");
-            assert_eq!(warnings(&format!("body.moments = [{moments}]"))?, [said]);
+            assert_eq!(warnings(&format!("body.moments = [{moments}]"))?.first(), Some(&said));
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn moments_too_far_apart_for_the_bounds_are_said() -> Result<(), SceneError> {
+        let said = "moments 1e-60, 1, 1: where moments are so far apart no error of the attitude is promised";
+        assert_eq!(warnings("body.moments = [1, 1e-60, 1]")?, [said]);
+        for (moments, count) in [("1, 1, 1e-50", 0), ("1, 2, 1e5", 1), ("1, 2, 1e6", 2), ("1e-300, 1, 1e300", 2)] {
+            assert_eq!(warnings(&format!("body.moments = [{moments}]"))?.len(), count, "{moments}");
         }
         Ok(())
     }
