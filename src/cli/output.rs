@@ -20,6 +20,7 @@ impl From<FileError> for Failure {
 }
 
 /// What a name ends in, without the dot and in small letters: the format that it asks for.
+#[cfg(feature = "headless")]
 pub(super) fn ending(output: &Path) -> Option<String> {
     output.extension()?.to_str().map(str::to_lowercase)
 }
