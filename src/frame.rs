@@ -112,6 +112,8 @@ pub struct Pane {
     pub notes: Vec<Note>,
     /// Ways on which something moves with its label, drawn or not: names that stand still keep off them.
     pub ways: Vec<Vec<Vec3>>,
+    /// Upper left and lower right corners, as the eye sees them, of what labels that stand still do not cover.
+    pub kept_clear: Vec<[Vec3; 2]>,
 }
 
 impl Pane {
@@ -119,7 +121,8 @@ impl Pane {
     #[must_use]
     pub fn new(area: Area, camera: Camera, lift: f32) -> Self {
         let (meshes, quadrics, lines, dots, markers) = (vec![], vec![], vec![], vec![], vec![]);
-        Self { area, camera, lift, meshes, quadrics, lines, dots, markers, labels: vec![], notes: vec![], ways: vec![] }
+        let (labels, notes, ways, kept_clear) = (vec![], vec![], vec![], vec![]);
+        Self { area, camera, lift, meshes, quadrics, lines, dots, markers, labels, notes, ways, kept_clear }
     }
 
     /// Adds a surface that is cut by the other one of its kind, where that is drawn: the two are composited together.

@@ -76,8 +76,10 @@ fn about_axes_1_and_3_it_stays_near() {
 
 #[test]
 fn beside_the_separatrix_it_lingers() {
-    let scene =
-        scene_that_says("near-separatrix", &["a millionth of a degree beside axis 2", "lingers", "e-fold by e-fold"]);
+    let scene = scene_that_says(
+        "near-separatrix",
+        &["a millionth of a degree beside axis 2", "lingers", "it is seen to pass beside", "e-fold by e-fold"],
+    );
     let body = &scene.body;
     assert_at_most((angle(scene.start.body_angular_velocity(body), DVec3::Y) / 1e-6 - 1.0).abs(), 1e-9, "the tilt");
     let exact = exact(&scene);
@@ -447,16 +449,16 @@ fn the_flip_is_as_is_said() {
     let scene = scene_that_says(
         "flip",
         &[
-            "K = M²/2I",
-            "so least for 1, largest for 3",
-            "The larger I, the longer the arrow of this K",
-            "two lines that never touch",
-            "from near one end of axis 2 to near the other",
-            "Axis 1 (least I, most K) ends in summits, 3 in valleys, 2 (between) in passes",
-            "Beside it M is led along: the flip",
+            "it spins on the same way round",
+            "About one axis it is |L|²/2I",
+            "least about 1, largest about 3",
+            "arrows of this K are short along 1, long along 3",
+            "so near each other at axis 2 that only the magnified view shows the gap",
+            "from beside one end of axis 2 to beside the other",
+            "1 (least I, most K) is a summit, 3 a valley, 2 a pass between",
+            "On a small ring round 1 or 3 the box just wobbles",
             "exactly on an axis M stands still",
             "tenfold every 0.63 s",
-            "the same way round all the time",
         ],
     );
     let body = &scene.body;
@@ -488,10 +490,10 @@ fn the_flip_is_as_is_said() {
     }
     // ω·L = 2K is above 0.
     assert!(scene.start.energy(body) > 0.0);
-    // Along an axis K = M²/2I; of all M of one length it is largest along axis 1 and least along axis 3, and a pass along axis 2.
+    // Along an axis K = |L|²/2I; of all M of one length it is largest along axis 1 and least along axis 3, and a pass along axis 2.
     let energy = |direction: DVec3| body.energy(body.body_from_principal() * direction.normalize() * ell);
     for (axis, moment) in DVec3::AXES.into_iter().zip(body.principal_moments().to_array()) {
-        assert_at_most((energy(axis) * 2.0 * moment / ell.powi(2) - 1.0).abs(), 1e-14, "K = M²/2I");
+        assert_at_most((energy(axis) * 2.0 * moment / ell.powi(2) - 1.0).abs(), 1e-14, "K = |L|²/2I");
     }
     for n in 0..36 {
         let (sine, cosine) = (f64::from(n) * std::f64::consts::TAU / 36.0).sin_cos();

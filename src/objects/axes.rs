@@ -115,7 +115,7 @@ pub(super) fn poles(context: &Context<'_>, pane: &mut Pane) {
 }
 
 /// A whole number set high.
-fn superscript(number: i32) -> String {
+pub(super) fn superscript(number: i32) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let high = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
     number.to_string().chars().map(high).collect()

@@ -32,6 +32,8 @@ pub struct Context<'a> {
     pub palette: Palette,
     /// Factor on type and lines, besides the one that the settings say.
     pub(super) type_scale: f32,
+    /// Width over height of the picture.
+    pub(super) aspect: f32,
     /// Turns the world so that the angular momentum points up (z).
     picture_from_world: DMat3,
     /// Units of the picture a metre.
@@ -77,6 +79,7 @@ impl<'a> Context<'a> {
             settings,
             palette: *palette,
             type_scale: 1.0,
+            aspect: 1.0,
             picture_from_world: upright(momentum, momentum_length),
             per_metre: BODY_RADIUS * reciprocal(radius),
             momentum_length,

@@ -52,7 +52,7 @@ fn everything_is_drawn_of_every_scene_and_stays_finite() -> Result<(), SceneErro
 }
 
 /// Names of the picture that are no words of the field.
-const PLAIN: [&str; 4] = ["turns this way round, always", "top", "bottom", "after T"];
+const PLAIN: [&str; 4] = ["spins this way round, always", "top", "bottom", "after T"];
 
 #[test]
 fn every_name_in_the_picture_is_said_in_a_sentence() -> Result<(), SceneError> {

@@ -25,5 +25,7 @@ pub(super) const SURFACE: LabelStyle = LabelStyle { gap: 14.0, priority: 2, ..FL
 /// What lies on the floor.
 pub(super) const FLOOR: LabelStyle =
     LabelStyle { size: 19.0, gap: 6.0, priority: 1, moves: false, leads: false, is_anywhere: false };
+/// A magnifying glass, below it.
+pub(super) const GLASS: LabelStyle = LabelStyle { gap: 11.0, priority: 6, ..FLOOR };
 /// What rolls over it.
 pub(super) const ROLLING: LabelStyle = LabelStyle { moves: true, ..FLOOR };

@@ -6,6 +6,7 @@ mod arrow;
 mod axes;
 mod body;
 mod body_axes;
+mod build;
 mod check;
 mod cloud;
 mod context;
@@ -19,6 +20,7 @@ mod glide;
 mod labels;
 mod layout;
 mod level_sets;
+mod loupe;
 mod mesh;
 mod notes;
 mod page;
@@ -35,14 +37,11 @@ mod way;
 mod words;
 
 use Space::{Momentum, World};
-use glam::Vec2;
-use glide::Held;
 
-use crate::camera::Camera;
-use crate::frame::{Color, Frame, Pane};
-use crate::scene::{self, ALL, Scene, Theme};
-use crate::sim::Simulation;
+use crate::frame::{Color, Pane};
+use crate::scene::{self, ALL, Theme};
 
+pub use build::{build_frame, build_frame_on_the_way, build_frame_scaled, camera};
 pub use check::{check, check_at};
 pub use context::Context;
 pub use ghosts::method_color;
@@ -200,6 +199,15 @@ const RINGS: Object = object(
     false,
     rings::draw,
     "The paths of M at other energies, each in the colour of the axis that it circles",
+);
+/// The ends of the axes on the sphere.
+const POLES: Object = object(
+    "poles",
+    "Steady spins",
+    Momentum,
+    true,
+    axes::poles,
+    "The six steady spins: stable ones dots, unstable ones crosses",
 );
 /// The tip of M, which can be dragged where it is drawn.
 pub const TIP: Object = object("tip", "Tip of M", Momentum, true, tip::tip, "The tip of M, and the arrow to it");
@@ -403,14 +411,7 @@ pub static OBJECTS: &[Object] = &[
         turn::solid_angle,
         "The part of the sphere that M goes round, and its solid angle",
     ),
-    object(
-        "poles",
-        "Steady spins",
-        Momentum,
-        true,
-        axes::poles,
-        "The six steady spins: stable ones dots, unstable ones crosses",
-    ),
+    POLES,
     object(
         "cloud",
         "Cloud of starts",
@@ -420,6 +421,14 @@ pub static OBJECTS: &[Object] = &[
         "Starts close together round each axis, all followed exactly",
     ),
     POLHODE,
+    object(
+        "loupe",
+        "Axis 2, magnified",
+        Momentum,
+        false,
+        loupe::draw,
+        "The end of axis 2 as through a magnifying glass, where M's path passes it too near for the eye",
+    ),
     object(
         "ghost-marks",
         "M of the other methods",
@@ -471,89 +480,6 @@ pub fn items(view: &scene::View) -> Vec<(&'static Object, bool)> {
 #[must_use]
 pub fn axis_colors(theme: Theme) -> [Color; 3] {
     Palette::new(theme).axes
-}
-
-/// The camera of a space as pictures of it are drawn: with room for what stands out of the sphere.
-#[must_use]
-pub fn camera(scene: &Scene, simulation: &Simulation, cameras: &Cameras, space: Space) -> Camera {
-    let palette = Palette::new(scene.view.theme);
-    camera_of(&Context::new(scene, simulation, &palette), cameras, space)
-}
-
-fn camera_of(context: &Context<'_>, cameras: &Cameras, space: Space) -> Camera {
-    let mut camera = *cameras.of(space);
-    if space == Space::Momentum {
-        camera.distance *= surfaces::room(context);
-    }
-    // Under the words.
-    let words = notes::height(context, space);
-    camera.distance /= 1.0 - words;
-    camera.pan(Vec2::new(0.0, 0.5 * words));
-    camera
-}
-
-/// The picture of a scene as its simulation is now, in a picture of this aspect (width over height).
-#[must_use]
-pub fn build_frame(scene: &Scene, simulation: &Simulation, cameras: &Cameras, aspect: f32) -> Frame {
-    build_frame_scaled(scene, simulation, cameras, aspect, 1.0)
-}
-
-/// As [`build_frame`], with type and lines larger by a factor.
-#[must_use]
-pub fn build_frame_scaled(
-    scene: &Scene,
-    simulation: &Simulation,
-    cameras: &Cameras,
-    aspect: f32,
-    type_scale: f32,
-) -> Frame {
-    build_frame_on_the_way(scene, simulation, cameras, aspect, type_scale, None)
-}
-
-/// The same, on the way from another view.
-#[must_use]
-pub fn build_frame_on_the_way(
-    scene: &Scene,
-    simulation: &Simulation,
-    cameras: &Cameras,
-    aspect: f32,
-    type_scale: f32,
-    glide: Option<Glide<'_>>,
-) -> Frame {
-    let settings = &scene.view;
-    let palette = Palette::new(settings.theme);
-    let mut context = Context::new(scene, simulation, &palette);
-    context.type_scale = type_scale;
-    let glide = glide.unwrap_or(Glide { from: settings, part: 1.0 });
-    let panes = glide
-        .areas(settings.layout, aspect)
-        .into_iter()
-        .map(|(space, area)| {
-            let mut pane = Pane::new(area, camera_of(&context, cameras, space), space.lift());
-            for object in OBJECTS.iter().filter(|object| object.space == space) {
-                let weight = glide.weight(object, settings);
-                // At the very beginning all that comes is drawn unseen: its labels have their places.
-                if weight > 0.0 || is_shown(object, settings) {
-                    let held = Held::by(&pane);
-                    (object.draw)(&context, &mut pane);
-                    if weight < 1.0 {
-                        held.fade_since(&mut pane, weight);
-                    }
-                }
-            }
-            if !settings.labels {
-                pane.labels.clear();
-                pane.notes.clear();
-            }
-            pane
-        })
-        .collect();
-    Frame {
-        background: palette.background,
-        transparent: false,
-        font_scale: settings.font_scale as f32 * type_scale,
-        panes,
-    }
 }
 
 #[cfg(test)]

@@ -53,7 +53,7 @@ pub(super) fn flip(context: &Context<'_>, pane: &mut Pane) {
     let has_arrow = context.shows(&super::MOMENTUM);
     // The caption says it else.
     if !(has_arrow && context.shows(&super::WORLD_NOTES)) {
-        let stays = if has_arrow { "stays: the arrow L" } else { "stays: the way round it turns" };
+        let stays = if has_arrow { "stays: the arrow L" } else { "stays: the way round it spins" };
         note(pane, stays.to_owned(), context.palette.ink);
     }
 }

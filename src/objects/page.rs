@@ -97,7 +97,7 @@ fn words(scene: &Scene, palette: &Palette, has_answer: bool) -> (Vec<Note>, f32)
     let question = if asks { flowing(&file.question) } else { String::new() };
     let answer = if asks && has_answer { flowing(&file.answer) } else { String::new() };
     let parts = [
-        (format!("{}{place}", flowing(&file.title)), TITLE, palette.ink),
+        (format!("{}{place}", flowing(&file.title_at(scene.at))), TITLE, palette.ink),
         (flowing(file.text_at(scene.at)), WORDS, palette.ink),
         (question, WORDS, palette.axes[0]),
         (answer, WORDS, palette.ink),

@@ -34,5 +34,5 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     let vertices = corners.map(|position| Vertex { position, normal: Vec3::ZERO, color }).to_vec();
     pane.meshes.push(Mesh { opaque: true, vertices, indices: vec![0, 1, 2] });
     let middle = 0.5 * (FROM + TO);
-    pane.labels.push(Label::new(at(middle, RADIUS), Vec2::NEG_Y, "turns this way round, always", color, labels::FLOOR));
+    pane.labels.push(Label::new(at(middle, RADIUS), Vec2::NEG_Y, "spins this way round, always", color, labels::FLOOR));
 }

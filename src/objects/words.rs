@@ -16,7 +16,7 @@ pub static WORDS: &[Word] = &[
     word(
         "L",
         &["L", "momentum L"],
-        "The angular momentum seen from the world: how much turning the body holds, and about which direction. Nothing pushes the body, so L stays.",
+        "The angular momentum seen from the world: how much spin the body holds, and about which direction. Nothing pushes the body, so L stays.",
     ),
     word(
         "M",
@@ -52,6 +52,11 @@ pub static WORDS: &[Word] = &[
         "separatrix",
         &["separatrix"],
         "The border between the paths of M round axis 1 and those round axis 3. It crosses itself at the ends of axis 2.",
+    ),
+    word(
+        "magnified",
+        &["×"],
+        "The end of axis 2 as through a magnifying glass, so many times as large: M's path passes it without touching the other one.",
     ),
     word(
         "summit, valley, pass",
@@ -124,10 +129,11 @@ mod tests {
             ("2 (bottom): pass", "summit, valley, pass"),
             ("3: I₃ = 0.00453", "axes 1, 2, 3"),
             ("invariable plane", "invariable plane"),
+            ("6·10⁶ ×", "magnified"),
         ] {
             assert_eq!(word_of(name).map(|word| word.name), Some(word), "{name}");
         }
-        for name in ["", "top", "turns this way round, always", "Runge–Kutta 4"] {
+        for name in ["", "top", "spins this way round, always", "Runge–Kutta 4"] {
             assert_eq!(word_of(name), None, "{name}");
         }
     }

@@ -195,15 +195,9 @@ fn sampled_polhode(body: &Body, body_momentum: DVec3, points: usize, map: impl F
 /// last one the first again; `κ² = I₁(I₃−I₂)/(I₃(I₂−I₁))`. `None` where two moments are equal.
 #[must_use]
 pub fn separatrix(body: &Body, ell: f64, points: usize) -> Option<[Vec<DVec3>; 2]> {
-    let i = body.principal_moments();
-    let [i21, _, i32] = body.moment_differences();
-    if i21 == 0.0 || i32 == 0.0 {
-        return None;
-    }
-    let (rise, run) = ((i.x / i.z * i32).sqrt(), i21.sqrt());
-    let size = rise.hypot(run);
+    let [across, along] = separatrix_direction(body)?;
     let circle = |sign: f64| {
-        let direction = DVec3::new(sign * rise / size, 0.0, run / size);
+        let direction = DVec3::new(sign * across, 0.0, along);
         (0..points)
             .map(|n| {
                 let turns = if n + 1 == points { 0.0 } else { n as f64 / (points - 1) as f64 };
@@ -213,6 +207,20 @@ pub fn separatrix(body: &Body, ell: f64, points: usize) -> Option<[Vec<DVec3>; 2
             .collect()
     };
     Some([circle(1.0), circle(-1.0)])
+}
+
+/// The components 1 and 3 of a point of the separatrix, of length 1: `M₁/M₃ = κ` as in [`separatrix`]. With `|M|` the energy is a function of
+/// `M₁² − κ²M₃²` alone: seen along axis 2 every path is a hyperbola about the separatrix. `None` where two moments are equal.
+#[must_use]
+pub fn separatrix_direction(body: &Body) -> Option<[f64; 2]> {
+    let i = body.principal_moments();
+    let [i21, _, i32] = body.moment_differences();
+    if i21 == 0.0 || i32 == 0.0 {
+        return None;
+    }
+    let (rise, run) = ((i.x / i.z * i32).sqrt(), i21.sqrt());
+    let size = rise.hypot(run);
+    Some([rise / size, run / size])
 }
 
 /// The herpolhode: world angular velocity `ω = RΩ` (rad/s) at `points` times from 0 to a duration (s), evenly in time. It lies in

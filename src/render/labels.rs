@@ -97,7 +97,9 @@ pub(super) fn place(
     order.sort_by_key(|&number| {
         (pane.labels[number].style.moves, std::cmp::Reverse(pane.labels[number].style.priority))
     });
-    let mut taken: Vec<Box2> = notes.to_vec();
+    let clear = pane.kept_clear.iter();
+    let clear = clear.filter_map(|[low, high]| Some(Box2 { low: project(*low)?, high: project(*high)? }));
+    let mut taken: Vec<Box2> = notes.iter().copied().chain(clear).collect();
     let mut places: Vec<Option<Box2>> = vec![None; pane.labels.len()];
     let mut leaders = vec![None; pane.labels.len()];
     for number in order {

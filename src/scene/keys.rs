@@ -297,6 +297,7 @@ pub static SOLID_KEYS: &[Key<SolidFile>] = &[
 
 /// Whatever can be said of one `step`.
 pub static STEP_KEYS: &[Key<StepFile>] = &[
+    key!(StepFile, "step.title", title, "", "What it is called, after the scene's title"),
     key!(StepFile, "step.text", text, "", "What is said, in place of the scene's text"),
     key!(StepFile, "step.show", show, "", "Objects shown from here on; \"all\" for every one"),
     key!(StepFile, "step.hide", hide, "", "Objects hidden from here on, but for those shown; \"all\" for every one"),

@@ -9,6 +9,8 @@ pub const ALL: &str = "all";
 /// A step of a scene. What it leaves out stays as it was: in the step before, or in the scene before the first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StepFile {
+    /// What it is called, after the scene's title.
+    pub title: String,
     /// What is said, in place of the scene's text.
     pub text: String,
     /// Objects shown from here on.
@@ -105,6 +107,14 @@ impl SceneFile {
     pub fn text_at(&self, step: Option<usize>) -> &str {
         let said = self.steps_to(step).iter().rev().map(|step| &*step.text).find(|text| !text.trim().is_empty());
         said.unwrap_or(&self.text)
+    }
+
+    /// What is seen at this step is called: the scene's title, and after it that of the step, or of the last step before that has one.
+    #[must_use]
+    pub fn title_at(&self, step: Option<usize>) -> String {
+        let of_step = self.steps_to(step).iter().rev().map(|step| step.title.trim()).find(|title| !title.is_empty());
+        let titles = [Some(self.title.trim()).filter(|title| !title.is_empty()), of_step];
+        titles.into_iter().flatten().collect::<Vec<_>>().join(": ")
     }
 
     /// Whether the question is asked at this step: at the last one, when all has been shown.

@@ -170,6 +170,7 @@ impl Random {
     fn step(&mut self) -> StepFile {
         let objects = ["all", "body", "plane", "tip"];
         StepFile {
+            title: self.text(),
             text: self.text(),
             show: self.names(&objects),
             hide: self.names(&objects),

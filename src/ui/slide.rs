@@ -28,12 +28,9 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, most: f32, commands: &mut Vec<C
     // The words speak of the scene as it was opened: changed, it may do something else.
     let faded = if look.is_edited() { FADED } else { 1.0 };
     let accent = style::accent(ui.visuals().dark_mode);
-    let title = if look.is_edited() && !file.title.trim().is_empty() {
-        format!("{} (edited)", lines(&file.title))
-    } else {
-        lines(&file.title)
-    };
     let at = look.scene.at;
+    let title = lines(&file.title_at(at));
+    let title = if look.is_edited() && !title.is_empty() { format!("{title} (edited)") } else { title };
     // Where no strip says it.
     let place = look.step_words().filter(|_| !look.shown.panel && !look.shown.presenting);
     let title =
@@ -110,7 +107,7 @@ fn lines(text: &str) -> String {
 fn missing(ui: &Ui, file: &SceneFile) -> String {
     let mut signs: Vec<char> = [&file.title, &file.text, &file.question, &file.answer]
         .into_iter()
-        .chain(file.steps.iter().map(|step| &step.text))
+        .chain(file.steps.iter().flat_map(|step| [&step.title, &step.text]))
         .flat_map(|text| text.chars())
         .filter(|sign| !sign.is_whitespace() && !sign.is_ascii())
         .collect();
