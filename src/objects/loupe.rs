@@ -20,6 +20,8 @@ const FARTHEST: f32 = 1.15;
 const NEARNESS: f32 = 0.4;
 /// So far from the middle of the glass, as a part of its radius, M's path passes it at the most.
 const GAP: f64 = 0.62;
+/// A radius of the sphere's: the magnification is the same in all views in which the glass has at least this one.
+const USUAL: f32 = 0.3;
 /// What is not magnified more than this needs no glass.
 const LEAST: f64 = 4.0;
 /// Where M's path goes through the end itself there is no nearest magnification.
@@ -111,7 +113,7 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     let flat = |axis: Vec3| Vec2::new(axis.dot(right), axis.dot(up));
     let (distance, half_side) = (pane.camera.distance, (0.5 * crate::camera::Camera::vertical_field(1.0)).tan());
     let radius = RADIUS * half_side * distance;
-    let Some(times) = sight.magnification(f64::from(radius)) else { return };
+    let Some(times) = sight.magnification(f64::from(radius.min(USUAL))) else { return };
     // In the lower corner that is nearest to the end.
     let on = Vec3::Y * end;
     let aspect = context.aspect * pane.area.extent.x / pane.area.extent.y.max(1e-6);
@@ -165,11 +167,10 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
         hidden: 0.0,
         moves: mark == Mark::Disc,
     };
+    pane.markers.push(mark(glass.middle, 19.0, Mark::Cross, palette.axes[1]));
     // What is magnified has a mark of its own, or this one.
     if !context.shows(&super::POLES) {
         pane.markers.push(mark(on, 13.0, Mark::Ring, palette.ink));
-    } else {
-        pane.markers.push(mark(glass.middle, 19.0, Mark::Cross, palette.axes[1]));
     }
     let momentum = principal(context, context.simulation.state().body_momentum);
     let place = seen(DVec2::new(momentum.x, momentum.z));
