@@ -452,7 +452,7 @@ fn the_flip_is_as_is_said() {
             "it spins on the same way round",
             "about one axis |L|²/2I",
             "least about 1, largest about 3",
-            "every arrow with this K: short along 1, long along 3",
+            "between them the shares add up", "every arrow with this K, short along 1, long along 3", "never turns quite about L",
             "two lines: at axis 2 it takes a magnifying glass to see the gap",
             "from beside one end of axis 2 to beside the other",
             "1 (least I) is a summit, 3 a valley, 2 a pass between",

@@ -3,7 +3,7 @@
 use std::num::NonZeroU32;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{SyncSender, sync_channel};
+use std::sync::mpsc::{Receiver, SyncSender, channel, sync_channel};
 
 use super::fault;
 use super::shot::{HeadlessError, ShotOptions};
@@ -72,19 +72,23 @@ pub fn record<E: From<HeadlessError> + Send>(
     recording: &Recording,
     stop: &AtomicBool,
     mut skip: impl FnMut(u64) -> bool,
-    mut take: impl FnMut(u64, Pixels) -> Result<(), E> + Send,
+    mut take: impl FnMut(u64, &Pixels) -> Result<(), E> + Send,
 ) -> Result<bool, E> {
     let mut artist = Artist::new(gpu, scene, recording)?;
     std::thread::scope(|scope| {
         let (sender, receiver) = sync_channel::<(u64, Pixels)>(WAITING);
+        // The memory of pictures that were taken, for those to come.
+        let (back, used) = channel::<Vec<u8>>();
         let taker = std::thread::Builder::new().spawn_scoped(scope, move || {
             for (index, pixels) in receiver {
-                take(index, pixels)?;
+                take(index, &pixels)?;
+                // Nobody wants it after the last one.
+                let _ = back.send(pixels.rgba);
             }
             Ok::<(), E>(())
         });
         let taker = taker.map_err(HeadlessError::Thread)?;
-        let drawn = draw_all(&mut artist, recording, stop, &mut skip, &sender);
+        let drawn = draw_all(&mut artist, recording, stop, &mut skip, (&sender, &used));
         // Ends the taker's loop once it has taken what waits.
         drop(sender);
         match taker.join() {
@@ -101,7 +105,7 @@ fn draw_all(
     recording: &Recording,
     stop: &AtomicBool,
     skip: &mut impl FnMut(u64) -> bool,
-    sender: &SyncSender<(u64, Pixels)>,
+    (sender, used): (&SyncSender<(u64, Pixels)>, &Receiver<Vec<u8>>),
 ) -> Result<bool, HeadlessError> {
     let mut under_way: Option<(u64, usize, Reading)> = None;
     let mut next_canvas = 0;
@@ -119,14 +123,14 @@ fn draw_all(
         let before = under_way.replace((index, next_canvas, reading));
         next_canvas = 1 - next_canvas;
         if let Some((index, canvas, reading)) = before
-            && sender.send((index, artist.finish(canvas, &reading)?)).is_err()
+            && sender.send((index, artist.finish(canvas, &reading, used.try_recv().unwrap_or_default())?)).is_err()
         {
             // The taker failed; its error is reported.
             return Ok(false);
         }
     }
     if let Some((index, canvas, reading)) = under_way
-        && sender.send((index, artist.finish(canvas, &reading)?)).is_err()
+        && sender.send((index, artist.finish(canvas, &reading, used.try_recv().unwrap_or_default())?)).is_err()
     {
         return Ok(false);
     }
@@ -170,7 +174,7 @@ impl<'a> Artist<'a> {
         Ok(self.painter.draw_on(self.gpu, canvas, &frame))
     }
 
-    fn finish(&self, canvas: usize, reading: &Reading) -> Result<Pixels, HeadlessError> {
-        Ok(self.canvases[canvas].finish_read(self.gpu, reading)?)
+    fn finish(&self, canvas: usize, reading: &Reading, memory: Vec<u8>) -> Result<Pixels, HeadlessError> {
+        Ok(self.canvases[canvas].finish_read_into(self.gpu, reading, memory)?)
     }
 }

@@ -136,7 +136,7 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
             };
             record(&gpu, &scene, &recording, stop, skip, |index, pixels| {
                 let bytes =
-                    encode_marked(&pixels, picture.transparent, &notes_of(index), mark).map_err(HeadlessError::from)?;
+                    encode_marked(pixels, picture.transparent, &notes_of(index), mark).map_err(HeadlessError::from)?;
                 files::write(&pattern.path(index), &bytes)?;
                 bar.inc(1);
                 Ok::<(), Failure>(())
@@ -154,7 +154,7 @@ pub(super) fn run(arguments: &RecordArguments) -> Result<(), Failure> {
                 stop,
                 |_| false,
                 |_, pixels| {
-                    movie.frame(&pixels).map_err(fail)?;
+                    movie.frame(pixels).map_err(fail)?;
                     bar.inc(1);
                     Ok::<(), Failure>(())
                 },
