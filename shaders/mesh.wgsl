@@ -1,4 +1,7 @@
 // Bodies of triangles, in soft light.
+// Flat ones take no light, and shall not be made to wait for it.
+override is_lit: bool = true;
+
 struct Corner {
     @builtin(position) clip: vec4f,
     @location(0) world: vec3f,
@@ -14,7 +17,7 @@ fn vertex(@location(0) position: vec3f, @location(1) normal: vec3f, @location(2)
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     var color = corner.color.rgb;
-    if dot(corner.normal, corner.normal) > 0.25 {
+    if is_lit && dot(corner.normal, corner.normal) > 0.25 {
         let to_eye = normalize(pane.eye.xyz - corner.world);
         let normal = normalize(select(-corner.normal, corner.normal, front));
         color = lit(color, normal, normalize(pane.key_light.xyz + to_eye), 0.06);

@@ -1,7 +1,10 @@
 // One or two translucent ellipsoids that may cut each other: each ray meets each of them twice; the up to four
 // walls are sorted and composited exactly.
 struct Quadric {
-    unit_from_world: mat4x4f,
+    // Takes directions of the world to the space in which it is the unit sphere.
+    unit_from_world: mat3x3f,
+    // where the eye is in that space
+    eye: vec4f,
     color: vec4f,
 }
 
@@ -37,8 +40,8 @@ struct Meeting {
 }
 
 fn meet(quadric: Quadric, ray: vec3f) -> Meeting {
-    let o = (quadric.unit_from_world * vec4f(pane.eye.xyz, 1.0)).xyz;
-    let d = (quadric.unit_from_world * vec4f(ray, 0.0)).xyz;
+    let o = quadric.eye.xyz;
+    let d = quadric.unit_from_world * ray;
     let squared = dot(d, d);
     let middle = -dot(o, d) / squared;
     // The ray's distance from the centre in unit-sphere space; 1 at the silhouette.
@@ -64,7 +67,7 @@ struct Sight {
 fn wall(quadric: Quadric, meeting: Meeting, sight: Sight, outer: bool, coverage: f32) -> Wall {
     let depth = select(meeting.far, meeting.near, outer);
     let unit = meeting.origin + depth * meeting.ray;
-    let outward = normalize((vec4f(unit, 0.0) * quadric.unit_from_world).xyz);
+    let outward = normalize(unit * quadric.unit_from_world);
     let facing = dot(outward, sight.to_eye);
     // A thin wall takes more light the more aslant it is seen, so the rim reads as a rim.
     let alpha = quadric.color.a;

@@ -57,7 +57,7 @@ fn uniforms_match_the_shaders() {
         metrics
     );
     same_layout!(&module(&overlay::source()), "View", ViewUniform, ndc_from_pixel, corner, strength);
-    same_layout!(&quadrics, "Quadric", QuadricData, unit_from_world, color);
+    same_layout!(&quadrics, "Quadric", QuadricData, unit_from_world, eye, color);
     same_layout!(&quadrics, "Pair", PairUniform, first, second, choice);
 }
 

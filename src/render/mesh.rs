@@ -122,7 +122,7 @@ impl Meshes {
         let (front, back) = (Some(wgpu::Face::Front), Some(wgpu::Face::Back));
         self.far_sides.want(is_translucent, || solid("far sides of translucent meshes", front, base.depth));
         self.near_sides.want(is_translucent, || solid("near sides of translucent meshes", back, base.depth));
-        self.flat.want(is_flat, || base.pipeline(maker.gpu));
+        self.flat.want(is_flat, || Recipe { constants: &[("is_lit", 0.0)], ..base.clone() }.pipeline(maker.gpu));
         self.depths.want(is_opaque && wants_depths, || {
             Recipe { label: "depths of meshes", depth: writing, is_colourless: true, ..base.clone() }
                 .pipeline(maker.gpu)

@@ -22,7 +22,10 @@ pub(super) struct PairUniform {
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 pub(super) struct QuadricData {
-    pub(super) unit_from_world: Mat4,
+    /// The columns of its linear part.
+    pub(super) unit_from_world: [Vec4; 3],
+    /// The eye in the space in which it is the unit sphere.
+    pub(super) eye: Vec4,
     pub(super) color: [f32; 4],
 }
 
@@ -82,7 +85,7 @@ impl Quadrics {
                 };
                 for &[near, far] in passes {
                     draws.push(Draw { number: pairs.len(), far_only: near == 0.0, corners: corners.clone() });
-                    pairs.push(pair_uniform(pair, [near, far]));
+                    pairs.push(pair_uniform(pair, [near, far], uniform.eye));
                 }
             }
             self.panes.push(draws);
@@ -144,8 +147,15 @@ impl Quadrics {
     }
 }
 
-fn pair_uniform(pair: &QuadricPair, [near, far]: [f32; 2]) -> PairUniform {
-    let data = |quadric: Quadric| QuadricData { unit_from_world: quadric.unit_from_world, color: quadric.color.0 };
+fn pair_uniform(pair: &QuadricPair, [near, far]: [f32; 2], eye: Vec4) -> PairUniform {
+    let data = |quadric: Quadric| {
+        let map = quadric.unit_from_world;
+        QuadricData {
+            unit_from_world: [map.x_axis, map.y_axis, map.z_axis],
+            eye: map * eye.truncate().extend(1.0),
+            color: quadric.color.0,
+        }
+    };
     let second = pair.second.unwrap_or(pair.first);
     PairUniform {
         first: data(pair.first),
