@@ -137,7 +137,8 @@ mod tests {
         let chroma = |weights: [i32; 3]| {
             places(width.div_ceil(2), height.div_ceil(2)).map(move |(x, y)| {
                 let block = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(right, below)| at(2 * x + right, 2 * y + below));
-                let sum: i32 = block.iter().flat_map(|rgb| rgb.iter().zip(weights)).map(|(byte, weight)| byte * weight).sum();
+                let sum: i32 =
+                    block.iter().flat_map(|rgb| rgb.iter().zip(weights)).map(|(byte, weight)| byte * weight).sum();
                 (128 + ((sum + (1 << 15)) >> 16)) as u8
             })
         };

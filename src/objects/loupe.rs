@@ -12,8 +12,8 @@ use crate::physics::poinsot;
 
 /// Radius of the glass, its distance from the sides of the view, the room for its name below it, and how far from the view's middle it
 /// is held at the most: parts of half the smaller side.
-const RADIUS: f32 = 0.25;
-const ASIDE: f32 = 0.05;
+const RADIUS: f32 = 0.235;
+const ASIDE: f32 = 0.03;
 const BELOW: f32 = 0.17;
 const FARTHEST: f32 = 1.15;
 /// How near the eye the glass is held, as a part of the distance of what is seen: before all else.
@@ -26,6 +26,8 @@ const USUAL: f32 = 0.3;
 const LEAST: f64 = 4.0;
 /// Where M's path goes through the end itself there is no nearest magnification.
 const AT_THE_END: f64 = 20.0;
+/// Lines end within its rim, round ends and all.
+const WITHIN: f64 = 0.96;
 const POINTS: u32 = 64;
 
 /// What of momentum space is seen through the glass: the surroundings of an end of axis 2.
@@ -146,7 +148,7 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     let reach = f64::from(radius) / times;
     if context.shows(&super::SEPARATRIX) {
         for sign in [1.0, -1.0] {
-            let tip = seen(sight.separatrix * DVec2::new(sign, 1.0) * reach);
+            let tip = seen(sight.separatrix * DVec2::new(sign, 1.0) * WITHIN * reach);
             let border = line(&mut [tip, -tip].into_iter(), 2.2, palette.separatrix);
             pane.lines.push(border.dashed(Dash::Dashed(0.28 * scale)));
         }
@@ -155,7 +157,7 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     let own = principal(context, context.scene.start.body_momentum)[side].signum();
     if sight.level != 0.0 {
         for (sign, width, color) in [(-own, 2.0, palette.polhode.alpha(0.6)), (own, 4.5, palette.polhode)] {
-            pane.lines.push(line(&mut sight.branch(sign, reach).into_iter().map(seen), width, color));
+            pane.lines.push(line(&mut sight.branch(sign, WITHIN * reach).into_iter().map(seen), width, color));
         }
     }
     let mark = |position: Vec3, size: f32, mark: Mark, color: Color| Marker {

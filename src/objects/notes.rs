@@ -27,7 +27,7 @@ pub(super) fn world(context: &Context<'_>, pane: &mut Pane) {
     caption(context, pane, words);
     if context.simulation.energy_loss() > 0.0 {
         let left = 100.0 * (1.0 + context.simulation.energy_error());
-        caption(context, pane, &format!("energy is lost: {left:.0} % of K is left"));
+        caption(context, pane, &format!("energy is lost: {left:.1} % of K is left"));
     }
     pane.notes.extend(others);
     legend(context, pane);

@@ -9,6 +9,8 @@ use crate::physics::{Body, poinsot, so3};
 
 /// Directions of the picture among which the labels choose.
 const DIRECTIONS: u32 = 24;
+/// How far a name's colour is moved from its surface's towards the ink, to be read on the background.
+const READABLE: f32 = 0.3;
 
 /// |M| = ℓ: the unit sphere of the picture.
 pub(super) fn sphere(context: &Context<'_>, pane: &mut Pane) {
@@ -23,7 +25,9 @@ pub(super) fn sphere(context: &Context<'_>, pane: &mut Pane) {
     }
     // Its name stands where it is farthest outside the ellipsoid.
     let semi_axes = single(semi_axes(context));
-    label(pane, "same length |L|", color, |direction| (-support(semi_axes, direction).dot(direction), direction));
+    label(context, pane, "same length |L|", color, |direction| {
+        (-support(semi_axes, direction).dot(direction), direction)
+    });
 }
 
 /// ½ Σ Mᵢ²/Iᵢ = K: semi-axes √(2K Iᵢ).
@@ -34,7 +38,8 @@ pub(super) fn ellipsoid(context: &Context<'_>, pane: &mut Pane) {
     let color = context.palette.ellipsoid;
     let semi_axes = single(semi_axes(context));
     pane.add_cutting(Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, semi_axes, color));
-    label(pane, "same energy K", color, |direction| {
+    let name = if context.simulation.energy_loss() > 0.0 { "energy K now" } else { "same energy K" };
+    label(context, pane, name, color, |direction| {
         let point = support(semi_axes, direction);
         (point.dot(direction), point)
     });
@@ -68,13 +73,14 @@ fn energy_reach(body: &Body, momentum: DVec3) -> f32 {
 }
 
 /// Writes a name at the outline, in the direction that is fittest.
-fn label(pane: &mut Pane, text: &str, color: Color, place: impl Fn(Vec3) -> (f32, Vec3)) {
+fn label(context: &Context<'_>, pane: &mut Pane, text: &str, color: Color, place: impl Fn(Vec3) -> (f32, Vec3)) {
     let (right, up, _) = pane.camera.axes();
     let best = (0..DIRECTIONS)
         .map(|n| Vec2::from_angle(std::f32::consts::TAU * n as f32 / DIRECTIONS as f32))
         .map(|flat| (flat, place(right * flat.x + up * flat.y)))
         .max_by(|a, b| a.1.0.total_cmp(&b.1.0));
     if let Some((toward, (_, anchor))) = best {
-        pane.labels.push(Label::new(anchor, toward, text, color.alpha(1.0), labels::SURFACE));
+        let color = color.alpha(1.0).mix(context.palette.ink, READABLE);
+        pane.labels.push(Label::new(anchor, toward, text, color, labels::SURFACE));
     }
 }
