@@ -2,8 +2,9 @@
 
 use glam::Vec2;
 
-/// About so many pixels of a picture are drawn at once: memory does not grow with the picture, and fresh memory costs time.
-const BAND: u64 = 1 << 19;
+/// Up to so many pixels of a picture are drawn at once: memory does not grow with the picture, and fresh memory costs time; but so does
+/// each band, in which all lines are placed anew.
+const BAND: u64 = 1280 * 720;
 
 /// How many rows of a picture of this size are drawn at once. The same for all that is no window: where a pixel lies in what is
 /// drawn at once may turn the last bit of its colour, and a frame of a film is to be the picture of its moment.
@@ -69,9 +70,10 @@ mod tests {
     #[test]
     fn bands_are_of_about_one_size_and_hold_the_whole_picture() {
         assert_eq!(rows_of_band([640, 360]), 360);
-        // Two and four of the least number that is enough.
-        assert_eq!(rows_of_band([1280, 720]), 360);
-        assert_eq!(rows_of_band([1920, 1080]), 270);
+        assert_eq!(rows_of_band([1280, 720]), 720);
+        // Two and three, the least number that is enough.
+        assert_eq!(rows_of_band([1280, 721]), 361);
+        assert_eq!(rows_of_band([1920, 1080]), 360);
         // Never less than a row, however wide.
         assert_eq!(rows_of_band([8192, 1]), 1);
         assert_eq!(rows_of_band([1 << 23, 3]), 1);
