@@ -105,7 +105,7 @@ impl Channels {
 
     /// Red, green, blue.
     fn sums(self) -> [f32; 3] {
-        [self.red_and_blue & 0xffff, self.green, self.red_and_blue >> 16].map(|sum| sum as i32 as f32)
+        [self.red_and_blue & 0xffff, self.green, self.red_and_blue >> 16].map(|sum| sum.cast_signed() as f32)
     }
 }
 

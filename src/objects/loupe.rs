@@ -238,7 +238,8 @@ mod tests {
     fn both_branches_are_the_path_of_m() -> Result<(), SceneError> {
         for tilt in [3.0, 0.1, 1e-6, 1e-12, -0.1] {
             sight(tilt, 2, |context, sight| {
-                let Some(sight) = sight else { return assert!(false, "three moments") };
+                assert!(sight.is_some(), "three moments");
+                let Some(sight) = sight else { return };
                 let scene = context.scene;
                 let exact = Motion::new(&scene.body, &scene.start);
                 let period = poinsot::flip_period_of(&scene.body, &scene.start).unwrap_or(0.0);
