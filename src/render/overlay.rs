@@ -117,6 +117,18 @@ impl Quad {
     }
 }
 
+/// Brings quads (their corners) into an order in which those come first of which this is true of the middle; else they stay as they are.
+pub(super) fn put_first(corners: &mut [QuadData], is_first: impl Fn(Vec3) -> bool) {
+    let middle = |quad: &[QuadData]| quad.iter().map(|corner| Vec3::from_array(corner.position)).sum::<Vec3>() * 0.25;
+    let (mut first, mut rest): (Vec<QuadData>, Vec<QuadData>) = (vec![], vec![]);
+    for quad in corners.chunks_exact(4) {
+        let place = if is_first(middle(quad)) { &mut first } else { &mut rest };
+        place.extend_from_slice(quad);
+    }
+    first.append(&mut rest);
+    corners[..first.len()].copy_from_slice(&first);
+}
+
 /// What of the quads is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Shown {
@@ -124,11 +136,13 @@ pub(super) enum Shown {
     Hidden,
     /// What no surface is before.
     Seen,
+    /// Both at once, each at its own strength: what is behind comes first by the order of the quads.
+    Sorted,
     /// What no surface is before as yet, at the strength of what is hidden: a wall is still to come before it.
     Inside,
 }
 
-const ALL_SHOWN: [Shown; 3] = [Shown::Hidden, Shown::Seen, Shown::Inside];
+const ALL_SHOWN: [Shown; 4] = [Shown::Hidden, Shown::Seen, Shown::Sorted, Shown::Inside];
 
 /// Draws the quads of a frame.
 pub(super) struct Overlays {
@@ -214,6 +228,7 @@ impl Overlays {
                 strength: match shown {
                     Shown::Hidden => Vec4::X,
                     Shown::Seen => Vec4::Y,
+                    Shown::Sorted => Vec4::X + Vec4::Y,
                     Shown::Inside => Vec4::Z,
                 },
             };
@@ -251,5 +266,27 @@ impl Overlays {
         }
         pass.set_bind_group(0, self.group.as_ref(), &[(self.stride * shown as usize) as u32]);
         QuadBuffer::draw(pass, quads.clone());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Kind, Quad, QuadData, put_first};
+    use crate::frame::Color;
+    use glam::Vec2;
+
+    #[test]
+    fn what_comes_first_and_the_rest_stay_as_they_are_among_themselves() {
+        let quad = |depth: f32| {
+            let place = [Vec2::ZERO; 2];
+            let colors = [Color::hex(0); 2];
+            let quad =
+                Quad { kind: Kind::Solid, place, form: place, measures: [0.0; 4], hidden: 0.0, rim: 0.0, colors };
+            quad.at(Quad::rectangle(Vec2::ZERO, Vec2::ONE, depth))
+        };
+        let mut corners: Vec<QuadData> = [0.75, 0.25, 0.5, 0.125].into_iter().flat_map(quad).collect();
+        put_first(&mut corners, |middle| middle.z < 0.5 && middle.truncate() == Vec2::splat(0.5));
+        let depths: Vec<f32> = corners.chunks_exact(4).map(|quad| quad[0].position[2]).collect();
+        assert_eq!(depths, [0.25, 0.125, 0.75, 0.5]);
     }
 }

@@ -147,6 +147,22 @@ impl Quadrics {
     }
 }
 
+/// Whether walls of a pane hide what is at this depth of the screen, seen at this place of it (normalised device coordinates).
+pub(super) fn hide(pairs: &[QuadricPair], uniform: &PaneUniform, ndc: Vec2, depth: f32) -> bool {
+    let ray = uniform.ray_forward + ndc.x * uniform.ray_right + ndc.y * uniform.ray_up;
+    let quadrics = pairs.iter().flat_map(|pair| [Some(pair.first), pair.second]).flatten();
+    quadrics.into_iter().any(|quadric| {
+        let map = quadric.unit_from_world;
+        let (origin, way) = (map * uniform.eye.truncate().extend(1.0), map * ray);
+        let (origin, way) = (origin.truncate(), way.truncate());
+        let squared = way.length_squared();
+        let middle = -origin.dot(way) / squared;
+        let left = 1.0 - (origin + middle * way).length_squared();
+        let near = middle - (left.max(0.0) / squared).sqrt();
+        left > 0.0 && near > uniform.eye.w && uniform.eye.w / near > depth
+    })
+}
+
 fn pair_uniform(pair: &QuadricPair, [near, far]: [f32; 2], eye: Vec4) -> PairUniform {
     let data = |quadric: Quadric| {
         let map = quadric.unit_from_world;
@@ -222,4 +238,35 @@ fn convex_hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
     half(&mut points.iter().copied());
     half(&mut points.iter().rev().copied());
     hull
+}
+
+#[cfg(test)]
+mod tests {
+    use super::hide;
+    use crate::camera::{Camera, NEAR};
+    use crate::frame::{Area, Color, Pane, Quadric, QuadricPair};
+    use crate::render::pane::PaneUniform;
+    use glam::{Mat3, Vec2, Vec3};
+
+    #[test]
+    fn walls_hide_what_lies_behind_them_alone() {
+        let camera = Camera::new(0.3, 0.2, 6.0);
+        let pane = Pane::new(Area::WHOLE, camera, 0.0);
+        let uniform = PaneUniform::new(&pane, Vec2::new(300.0, 200.0), 1.0);
+        // Half as wide as the sphere, and longer along z.
+        let second = Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, Vec3::new(0.5, 0.5, 1.3), Color::hex(0));
+        let sphere = Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, Vec3::ONE, Color::hex(0));
+        let pairs = [QuadricPair::two(sphere, second, false)];
+        let (right, up, forward) = camera.axes();
+        let is_hidden = |at: Vec3| {
+            let depth = NEAR / (at - camera.eye()).dot(forward);
+            uniform.ndc(at).is_some_and(|ndc| hide(&pairs, &uniform, ndc, depth))
+        };
+        assert!(is_hidden(0.99 * -forward) && is_hidden(forward) && is_hidden(20.0 * forward));
+        assert!(!is_hidden(-1.01 * forward) && !is_hidden(-2.0 * forward));
+        // Beside the sphere, and behind the end of the ellipsoid that stands out of it.
+        assert!(!is_hidden(1.2 * right) && !is_hidden(2.5 * right + 3.0 * forward));
+        assert!(is_hidden(1.2 * Vec3::Z + 0.6 * forward) && !is_hidden(1.2 * Vec3::Z + 0.6 * right + 0.6 * forward));
+        assert!(!is_hidden(1.4 * up) && !hide(&[], &uniform, Vec2::ZERO, 0.0));
+    }
 }
