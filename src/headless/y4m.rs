@@ -51,30 +51,28 @@ fn nearest(parts: f32) -> u8 {
 /// Luma of every pixel, then both chromas of every block of two by two: ITU-R BT.709, luma 16 to 235, chroma 16 to 240.
 fn to_planes(pixels: &Pixels, planes: &mut Vec<u8>) {
     let [width, height] = pixels.size.map(|side| side as usize);
-    planes.clear();
-    // 65536 · 219/255 · (0.2126, 0.7152, 0.0722)
-    planes.extend(pixels.rgba.chunks_exact(4).map(|pixel| {
-        let [r, g, b] = Channels::of(pixel).sums();
-        // The weights are even: one more decides what would be halfway, upwards.
-        nearest(11_966.0 * r + 40_254.0 * g + 4_064.0 * b + 1.0).wrapping_add(16)
-    }));
+    let (rgba, _) = pixels.rgba.as_chunks::<4>();
     let (across, down) = (width.div_ceil(2), height.div_ceil(2));
-    let blue_at = planes.len();
-    planes.resize(blue_at + 2 * across * down, 0);
-    let (blues, reds) = planes[blue_at..].split_at_mut(across * down);
+    planes.resize(rgba.len() + 2 * across * down, 0);
+    let (lumas, chromas) = planes.split_at_mut(rgba.len());
+    // Loops over slices, pixel by pixel: the compiler then takes several at once.
+    for (luma, pixel) in lumas.iter_mut().zip(rgba) {
+        let [r, g, b] = Channels::of(*pixel).sums();
+        // 65536 · 219/255 · (0.2126, 0.7152, 0.0722). The weights are even: one more decides what would be halfway, upwards.
+        *luma = nearest(11_966.0 * r + 40_254.0 * g + 4_064.0 * b + 1.0).wrapping_add(16);
+    }
+    let (blues, reds) = chromas.split_at_mut(across * down);
     let rows = blues.chunks_exact_mut(across.max(1)).zip(reds.chunks_exact_mut(across.max(1)));
-    for ((blues, reds), pair) in rows.zip(pixels.rgba.chunks(8 * width.max(1))) {
+    for ((blues, reds), pair) in rows.zip(rgba.chunks(2 * width.max(1))) {
         // The last pixel stands for the missing one beside an odd edge.
-        let (above, below) = pair.split_at(4 * width);
+        let (above, below) = pair.split_at(width);
         let below = if below.is_empty() { above } else { below };
-        let chromas = blues.iter_mut().zip(reds.iter_mut());
-        let blocks = above.chunks_exact(8).zip(below.chunks_exact(8));
-        for ((blue, red), (above, below)) in chromas.zip(blocks) {
-            let sum = Channels::of(&above[..4]) + Channels::of(&above[4..]) + Channels::of(&below[..4]);
-            [*blue, *red] = chroma(sum + Channels::of(&below[4..]));
+        let blocks = above.as_chunks::<2>().0.iter().zip(below.as_chunks::<2>().0);
+        for ((blue, red), ([a, b], [c, d])) in blues.iter_mut().zip(reds.iter_mut()).zip(blocks) {
+            [*blue, *red] = chroma(Channels::of(*a) + Channels::of(*b) + Channels::of(*c) + Channels::of(*d));
         }
         if width % 2 == 1 {
-            let edge = Channels::of(&above[above.len() - 4..]) + Channels::of(&below[below.len() - 4..]);
+            let edge = Channels::of(above[width - 1]) + Channels::of(below[width - 1]);
             [blues[across - 1], reds[across - 1]] = chroma(edge + edge);
         }
     }
@@ -98,8 +96,8 @@ struct Channels {
 }
 
 impl Channels {
-    fn of(pixel: &[u8]) -> Self {
-        let word = u32::from_le_bytes([pixel[0], pixel[1], pixel[2], pixel[3]]);
+    fn of(pixel: [u8; 4]) -> Self {
+        let word = u32::from_le_bytes(pixel);
         Self { red_and_blue: word & 0x00ff_00ff, green: word >> 8 & 0xff }
     }
 
