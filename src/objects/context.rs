@@ -134,7 +134,12 @@ impl<'a> Context<'a> {
     /// A body momentum as a point of momentum space: principal components, the sphere of radius 1.
     #[must_use]
     pub fn body_momentum(&self, momentum: DVec3) -> Vec3 {
-        self.principal(self.unit(momentum))
+        single(self.principal_unit(momentum))
+    }
+
+    /// A body momentum in principal components and units of ℓ at the start, with all its digits.
+    pub(super) fn principal_unit(&self, momentum: DVec3) -> DVec3 {
+        self.simulation.body().body_from_principal().transpose() * self.unit(momentum)
     }
 
     /// The body momentum now in units of ℓ at the start; none where there is none.

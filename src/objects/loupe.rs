@@ -4,9 +4,10 @@
 
 use std::f32::consts::TAU;
 
-use glam::{DVec2, DVec3, Mat2, Vec2, Vec3};
+use glam::{DVec2, Mat2, Vec2, Vec3};
 
 use super::{Context, axes, labels};
+use crate::camera::Camera;
 use crate::frame::{Color, Dash, Label, Line, Mark, Marker, Mesh, Pane, Vertex};
 use crate::physics::poinsot;
 
@@ -36,15 +37,18 @@ struct Sight {
     separatrix: DVec2,
     /// `M₁² − κ²M₃²` of M's path, in units of ℓ².
     level: f64,
+    /// Which of the two branches is its own: a sign.
+    own: f64,
 }
 
 impl Sight {
     fn of(context: &Context<'_>) -> Option<Self> {
         let body = context.simulation.body();
         let separatrix = DVec2::from_array(poinsot::separatrix_direction(body)?);
-        let start = principal(context, context.scene.start.body_momentum);
-        let [kappa, m] = [separatrix.x / separatrix.y, start.x];
-        Some(Self { separatrix, level: (m - kappa * start.z) * (m + kappa * start.z) })
+        let start = context.principal_unit(context.scene.start.body_momentum);
+        let border = separatrix.x / separatrix.y * start.z;
+        let level = (start.x - border) * (start.x + border);
+        Some(Self { separatrix, level, own: if level < 0.0 { start.z } else { start.x }.signum() })
     }
 
     fn kappa(&self) -> f64 {
@@ -83,12 +87,6 @@ impl Sight {
     }
 }
 
-/// A momentum in principal components and units of ℓ at the start.
-fn principal(context: &Context<'_>, momentum: DVec3) -> DVec3 {
-    let length = context.scene.start.body_momentum.length();
-    context.simulation.body().body_from_principal().transpose() * (momentum / length)
-}
-
 /// The glass: a disc across the line of sight.
 struct Glass {
     middle: Vec3,
@@ -113,7 +111,7 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     let (right, up, forward) = pane.camera.axes();
     let end = if Vec3::Y.dot(forward) > 0.0 { -1.0 } else { 1.0 };
     let flat = |axis: Vec3| Vec2::new(axis.dot(right), axis.dot(up));
-    let (distance, half_side) = (pane.camera.distance, (0.5 * crate::camera::Camera::vertical_field(1.0)).tan());
+    let (distance, half_side) = (pane.camera.distance, (0.5 * Camera::vertical_field(1.0)).tan());
     let radius = RADIUS * half_side * distance;
     let Some(times) = sight.magnification(f64::from(radius.min(USUAL))) else { return };
     // In the lower corner that is nearest to the end.
@@ -153,10 +151,8 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
             pane.lines.push(border.dashed(Dash::Dashed(0.28 * scale)));
         }
     }
-    let side = if sight.level < 0.0 { 2 } else { 0 };
-    let own = principal(context, context.scene.start.body_momentum)[side].signum();
     if sight.level != 0.0 {
-        for (sign, width, color) in [(-own, 2.0, palette.polhode.alpha(0.6)), (own, 4.5, palette.polhode)] {
+        for (sign, width, color) in [(-sight.own, 2.0, palette.polhode.alpha(0.6)), (sight.own, 4.5, palette.polhode)] {
             pane.lines.push(line(&mut sight.branch(sign, WITHIN * reach).into_iter().map(seen), width, color));
         }
     }
@@ -174,7 +170,7 @@ pub(super) fn draw(context: &Context<'_>, pane: &mut Pane) {
     if !context.shows(&super::POLES) {
         pane.markers.push(mark(on, 13.0, Mark::Ring, palette.ink));
     }
-    let momentum = principal(context, context.simulation.state().body_momentum);
+    let momentum = context.principal_unit(context.simulation.state().body_momentum);
     let place = seen(DVec2::new(momentum.x, momentum.z));
     if momentum.y * f64::from(end) > 0.0 && place.length() < 1.0 && context.shows(&super::TIP) {
         pane.markers.push(mark(glass.at(place), 17.0, Mark::Disc, palette.momentum));
@@ -219,7 +215,7 @@ fn disc(pane: &mut Pane, glass: &Glass, color: Color) {
 mod tests {
     use glam::{DVec2, Vec2};
 
-    use super::{AT_THE_END, Sight, nearest_turn, number, principal};
+    use super::{AT_THE_END, Sight, nearest_turn, number};
     use crate::objects::{Context, Palette};
     use crate::physics::{Motion, poinsot};
     use crate::scene::{Scene, SceneError, SceneFile, Theme};
@@ -244,7 +240,7 @@ mod tests {
                 let exact = Motion::new(&scene.body, &scene.start);
                 let period = poinsot::flip_period_of(&scene.body, &scene.start).unwrap_or(0.0);
                 let distance = |n: u32| {
-                    let m = principal(context, exact.momentum(2.0 * period * f64::from(n) / 4000.0));
+                    let m = context.principal_unit(exact.momentum(2.0 * period * f64::from(n) / 4000.0));
                     DVec2::new(m.x, m.z).length()
                 };
                 let nearest = (0..4000).map(distance).fold(f64::INFINITY, f64::min);
@@ -267,6 +263,22 @@ mod tests {
                 }
             })?;
         }
+        Ok(())
+    }
+
+    #[test]
+    fn the_size_of_the_momentum_does_not_matter() -> Result<(), SceneError> {
+        let level = |rate: f64| -> Result<Option<f64>, SceneError> {
+            let text = format!("spin = {{ axis = 2, tilt_deg = 0.1, rate = {rate:?} }}");
+            let scene = Scene::check(&SceneFile::parse(&text)?)?;
+            let simulation = Simulation::new(&scene);
+            let context = Context::new(&scene, &simulation, &Palette::new(Theme::Dark));
+            Ok(Sight::of(&context).map(|sight| sight.level))
+        };
+        let usual = level(6.0)?.unwrap_or(0.0);
+        // Its square is below all numbers.
+        let small = level(1e-180)?.unwrap_or(0.0);
+        assert!(usual < 0.0 && (small / usual - 1.0).abs() < 1e-12, "{small} {usual}");
         Ok(())
     }
 

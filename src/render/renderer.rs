@@ -128,7 +128,8 @@ impl Renderer {
             for line in &pane.lines {
                 line::append(line, pane.lift, &world, point, &mut corners);
             }
-            if is_sorted(pane) {
+            let is_sorted = is_sorted(pane);
+            if is_sorted {
                 overlay::put_first(&mut corners[first..], |middle| {
                     let ndc = ((middle.truncate() - corner) / extent * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
                     quadrics::hide(&pane.quadrics, uniform, ndc, middle.z)
@@ -150,7 +151,6 @@ impl Renderer {
             }
             self.texts.append((pane, uniform, corner), notes, (frame.background, point), &mut corners);
             let flat = quads(&corners);
-            let is_sorted = is_sorted(pane);
             panes.push(PreparedPane { corner, extent: *extent, lines, is_sorted, marks, flat });
         }
         self.overlays.upload(device, queue, &corners);
