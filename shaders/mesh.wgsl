@@ -20,7 +20,7 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     if is_lit && dot(corner.normal, corner.normal) > 0.25 {
         let to_eye = normalize(pane.eye.xyz - corner.world);
         let normal = normalize(select(-corner.normal, corner.normal, front));
-        color = lit(color, normal, normalize(pane.key_light.xyz + to_eye), 0.06);
+        color = color * light(normal) + vec3f(0.06 * gleam(normal, normalize(pane.key_light.xyz + to_eye)));
     }
     return vec4f(color * corner.color.a, corner.color.a);
 }

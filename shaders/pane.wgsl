@@ -16,20 +16,24 @@ struct Pane {
 
 @group(0) @binding(0) var<uniform> pane: Pane;
 
-// Soft light. `half_way` lies between the key light and the eye.
-fn lit(color: vec3f, normal: vec3f, half_way: vec3f, gloss: f32) -> vec3f {
+// How bright soft light makes what is seen on a side.
+fn light(normal: vec3f) -> f32 {
     // Wrapped: no face goes black, and the turn from light to shade is soft.
     let key = 0.5 + 0.5 * dot(normal, pane.key_light.xyz);
     let fill = 0.5 + 0.5 * dot(normal, pane.fill_light.xyz);
-    let light = pane.metrics.w + key * (0.3 + 0.7 * key) * pane.key_light.w + fill * pane.fill_light.w;
+    // Colours are encoded, light is not: the root stands for the encoding.
+    return sqrt(pane.metrics.w + key * (0.3 + 0.7 * key) * pane.key_light.w + fill * pane.fill_light.w);
+}
+
+// The gleam of a light. `half_way` lies between the key light and the eye.
+fn gleam(normal: vec3f, half_way: vec3f) -> f32 {
     // The 32nd power, by squaring: cheap where there is no special hardware for powers.
     let s = max(dot(normal, half_way), 0.0);
     let s2 = s * s;
     let s4 = s2 * s2;
     let s8 = s4 * s4;
     let s16 = s8 * s8;
-    // Colours are encoded, light is not: the root stands for the encoding.
-    return color * sqrt(light) + vec3f(gloss * s16 * s16);
+    return s16 * s16;
 }
 
 // The corners of a quad: (0,0), (1,0), (0,1), (1,1).

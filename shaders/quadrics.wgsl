@@ -31,54 +31,34 @@ fn vertex(@location(0) ndc: vec2f) -> Corner {
 
 // Where a ray meets an ellipsoid, and how much of the pixel the ellipsoid covers.
 struct Meeting {
-    // the ray in unit-sphere space
-    origin: vec3f,
-    ray: vec3f,
     near: f32,
     far: f32,
     coverage: f32,
+    // directions outward there, of some length
+    near_normal: vec3f,
+    far_normal: vec3f,
 }
 
 fn meet(quadric: Quadric, ray: vec3f) -> Meeting {
-    let o = quadric.eye.xyz;
+    // In the space in which it is the unit sphere.
     let d = quadric.unit_from_world * ray;
     let squared = dot(d, d);
-    let middle = -dot(o, d) / squared;
-    // The ray's distance from the centre in unit-sphere space; 1 at the silhouette.
-    let miss = length(o + middle * d);
+    let middle = -dot(quadric.eye.xyz, d) / squared;
+    let closest = quadric.eye.xyz + middle * d;
+    // The ray's distance from the centre; 1 at the silhouette.
+    let miss_squared = dot(closest, closest);
+    let miss = sqrt(miss_squared);
     let coverage = clamp((1.0 - miss) / fwidth(miss) + 0.5, 0.0, 1.0);
-    let half = sqrt(max(1.0 - miss * miss, 0.0) / squared);
-    return Meeting(o, d, middle - half, middle + half, coverage);
+    let half = sqrt(max(1.0 - miss_squared, 0.0) / squared);
+    let across = closest * quadric.unit_from_world;
+    let along = (half * d) * quadric.unit_from_world;
+    return Meeting(middle - half, middle + half, coverage, across - along, across + along);
 }
 
-struct Wall {
-    depth: f32,
-    // premultiplied
-    color: vec4f,
-}
-
-// What is the same for all walls along a ray.
-struct Sight {
-    to_eye: vec3f,
-    half_way: vec3f,
-}
-
-// The near wall shows its outer side, the far one its inner side. (The sign of `facing` would not tell on the soft edge.)
-fn wall(quadric: Quadric, meeting: Meeting, sight: Sight, outer: bool, coverage: f32) -> Wall {
-    let depth = select(meeting.far, meeting.near, outer);
-    let unit = meeting.origin + depth * meeting.ray;
-    let outward = normalize(unit * quadric.unit_from_world);
-    let facing = dot(outward, sight.to_eye);
-    // A thin wall takes more light the more aslant it is seen, so the rim reads as a rim.
+// The opacity of a wall. A thin one takes more light the more aslant it is seen, so the rim reads as a rim.
+fn opacity(quadric: Quadric, normal: vec3f, to_eye: vec3f) -> f32 {
     let alpha = quadric.color.a;
-    let opacity = alpha / (alpha + (1.0 - alpha) * max(abs(facing), 0.2));
-    let color = lit(quadric.color.rgb, select(-outward, outward, outer), sight.half_way, select(0.0, 0.12, outer));
-    let shown = select(0.0, opacity * coverage, depth > pane.eye.w);
-    return Wall(depth, vec4f(color * (select(0.8, 1.0, outer) * shown), shown));
-}
-
-fn over(front: vec4f, back: Wall) -> vec4f {
-    return front + (1.0 - front.a) * back.color;
+    return alpha / (alpha + (1.0 - alpha) * max(abs(dot(normal, to_eye)), 0.2));
 }
 
 struct Fragment {
@@ -90,7 +70,7 @@ struct Fragment {
 fn fragment(corner: Corner) -> Fragment {
     let ray = corner.ray;
     let to_eye = -normalize(ray);
-    let sight = Sight(to_eye, normalize(pane.key_light.xyz + to_eye));
+    let half_way = normalize(pane.key_light.xyz + to_eye);
     let one = meet(pair.first, ray);
     let two = meet(pair.second, ray);
     let first = one.coverage;
@@ -98,31 +78,41 @@ fn fragment(corner: Corner) -> Fragment {
     if first + second <= 0.0 {
         discard;
     }
-    let near = pair.choice.y;
-    let far = pair.choice.z;
-    let absent = Wall(1e30, vec4f(0.0));
-    var a = absent;
-    var b = absent;
-    var c = absent;
-    var d = absent;
-    if first > 0.0 {
-        a = wall(pair.first, one, sight, true, first * near);
-        c = wall(pair.first, one, sight, false, first * far);
-    }
-    if second > 0.0 {
-        b = wall(pair.second, two, sight, true, second * near);
-        d = wall(pair.second, two, sight, false, second * far);
-    }
-    // Near to far: a sorting network of four, the pairs (a, c) and (b, d) being in order already.
-    var t = a;
-    if a.depth > b.depth { t = a; a = b; b = t; }
-    if c.depth > d.depth { t = c; c = d; d = t; }
-    if b.depth > c.depth { t = b; b = c; c = t; }
-    let color = over(over(over(a.color, b), c), d);
+    // Of four walls, the near and the far one of both: a and c, b and d. What is not there has no opacity. (All are reckoned in every
+    // pixel: where there is no GPU a branch costs more than it leaves out.)
+    let normal_a = normalize(one.near_normal);
+    let normal_b = normalize(two.near_normal);
+    let normal_c = normalize(one.far_normal);
+    let normal_d = normalize(two.far_normal);
+    let depths = vec4f(one.near, two.near, one.far, two.far);
+    let opacities = vec4f(
+        opacity(pair.first, normal_a, to_eye),
+        opacity(pair.second, normal_b, to_eye),
+        opacity(pair.first, normal_c, to_eye),
+        opacity(pair.second, normal_d, to_eye),
+    );
+    let covers = vec4f(first, second, first, second) * pair.choice.yyzz;
+    let shown = select(vec4f(0.0), opacities * covers, depths > vec4f(pane.eye.w));
+    // What passes through each, and which of two comes first.
+    let past = 1.0 - shown;
+    let b_then_a = depths.x > depths.y;
+    let d_then_a = depths.x > depths.w;
+    let b_then_c = depths.z > depths.y;
+    let d_then_c = depths.z > depths.w;
+    let seen = shown * vec4f(
+        select(1.0, past.y, b_then_a) * select(1.0, past.w, d_then_a),
+        select(past.x, 1.0, b_then_a) * select(past.z, 1.0, b_then_c),
+        past.x * select(1.0, past.y, b_then_c) * select(1.0, past.w, d_then_c),
+        past.y * select(past.x, 1.0, d_then_a) * select(past.z, 1.0, d_then_c),
+    );
+    // The near walls show their outer sides, which gleam, the far ones their inner sides.
+    let bright_first = light(normal_a) * seen.x + 0.8 * light(-normal_c) * seen.z;
+    let bright_second = light(normal_b) * seen.y + 0.8 * light(-normal_d) * seen.w;
+    let gleams = 0.12 * (gleam(normal_a, half_way) * seen.x + gleam(normal_b, half_way) * seen.y);
+    let color = pair.first.color.rgb * bright_first + pair.second.color.rgb * bright_second + vec3f(gleams);
     // The nearest wall that is drawn hides the lines behind it.
-    var depth = a.depth;
-    if near < 0.5 {
-        depth = min(select(1e30, one.far, first > 0.0), select(1e30, two.far, second > 0.0));
-    }
-    return Fragment(color, clamp(pane.eye.w / max(depth, pane.eye.w), 0.0, 1.0));
+    let nearest = select(vec2f(one.far, two.far), vec2f(one.near, two.near), pair.choice.y >= 0.5);
+    let depth = min(select(1e30, nearest.x, first > 0.0), select(1e30, nearest.y, second > 0.0));
+    let alpha = seen.x + seen.y + seen.z + seen.w;
+    return Fragment(vec4f(color, alpha), clamp(pane.eye.w / max(depth, pane.eye.w), 0.0, 1.0));
 }

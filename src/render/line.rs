@@ -8,6 +8,9 @@ use super::pane::Projection;
 use crate::camera::NEAR;
 use crate::frame::{Dash, Line};
 
+/// What quads are larger by on each side (pixels): corners are rounded to a 256th of a pixel.
+const SPARE: f32 = 0.02;
+
 /// Adds the corners of a line's segments, `point` pixels a point, drawn before their places by this part of their distance.
 pub(super) fn append(line: &Line, lift: f32, projection: &Projection<'_>, point: f32, corners: &mut Vec<QuadData>) {
     let points = &line.points;
@@ -44,7 +47,8 @@ pub(super) fn append(line: &Line, lift: f32, projection: &Projection<'_>, point:
         let before = before.map_or(Vec2::ZERO, |other| direction(projection.pixel(cut(clips[other], start)), p));
         let after = after.map_or(Vec2::ZERO, |other| direction(q, projection.pixel(cut(clips[other], end))));
         let bisector = |other: Vec2| if other == Vec2::ZERO { other } else { other + forward };
-        let reach = half_width + 1.0;
+        // What is farther from the middle line than this covers nothing of a pixel.
+        let reach = half_width + 0.5 + SPARE;
         let (behind, beyond) = (overhang(before, tangent, reach), overhang(tangent, after, reach));
         let side = tangent.perp() * reach;
         let depth = |end: Vec4| (end.z / end.w * (1.0 + lift)).min(1.0);
@@ -82,20 +86,19 @@ fn direction(from: Vec2, to: Vec2) -> Vec2 {
     if far > 1e-3 { way / far } else { Vec2::ZERO }
 }
 
-/// How far a segment reaches beyond its end to the bisector of the corner there: tan of half the bend, and most of a pixel,
-/// since a pixel whose middle lies before the bisector is wholly this segment's. A free end needs its whole cap. No
-/// farther: every covered block of pixels is paid for where there is no GPU.
+/// How far a segment reaches beyond its end to the bisector of the corner there: tan of half the bend. A free end needs its whole
+/// cap. No farther: every covered block of pixels is paid for where there is no GPU.
 fn overhang(one: Vec2, other: Vec2, reach: f32) -> f32 {
     if one == Vec2::ZERO || other == Vec2::ZERO {
         return reach;
     }
     let bend = one.perp_dot(other).abs() / (1.0 + one.dot(other)).max(1e-3);
-    (bend * reach + 0.8).min(reach)
+    (bend * reach + SPARE).min(reach)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{append, overhang};
+    use super::{SPARE, append, overhang};
     use crate::camera::Camera;
     use crate::frame::{Area, Color, Line, Pane};
     use crate::render::pane::{PaneUniform, Projection};
@@ -118,11 +121,12 @@ mod tests {
     fn a_segment_is_as_wide_as_the_line_with_its_caps() {
         let found = quads(&[Vec3::new(20.0, 50.0, 0.0), Vec3::new(120.0, 50.0, 0.0)]);
         assert_eq!(found.len(), 1);
-        // Half a width of 2 pixels and one for the soft edge, on all sides.
-        assert!(found[0][0].abs_diff_eq(Vec2::new(17.0, 47.0), 1e-3), "{found:?}");
-        assert!(found[0][3].abs_diff_eq(Vec2::new(123.0, 53.0), 1e-3), "{found:?}");
-        // A straight join needs no cap, only most of a pixel.
-        assert!((overhang(Vec2::X, Vec2::X, 3.0) - 0.8).abs() < 1e-6);
+        // Half a width of 2 pixels and half a pixel for the soft edge, on all sides.
+        assert!(found[0][0].abs_diff_eq(Vec2::new(17.5 - SPARE, 47.5 - SPARE), 1e-4), "{found:?}");
+        assert!(found[0][3].abs_diff_eq(Vec2::new(122.5 + SPARE, 52.5 + SPARE), 1e-4), "{found:?}");
+        // A straight join needs no cap, a right angle half of a square.
+        assert_eq!(overhang(Vec2::X, Vec2::X, 3.0), SPARE);
+        assert!((overhang(Vec2::X, Vec2::Y, 2.0) - 2.0).abs() < 1e-6);
         // Nothing of what lies outside.
         assert!(quads(&[Vec3::new(20.0, -50.0, 0.0), Vec3::new(120.0, -50.0, 0.0)]).is_empty());
     }

@@ -87,7 +87,12 @@ pub(super) fn append(marker: &Marker, projection: &Projection<'_>, point: f32, c
     let centre = projection.pixel(clip);
     let radius = 0.5 * marker.size * point;
     let form = Form::of(marker.mark);
-    let reach = Vec2::splat(1.5 * radius + 2.0);
+    let rim = RIM * point;
+    let reach = Vec2::splat(match form.kind {
+        // As far as its rim and the soft edge of that.
+        Kind::Disc | Kind::Round => (form.extents[0] + form.stroke) * radius + rim + 1.0,
+        _ => 1.5 * radius + 2.0,
+    });
     let places = Quad::rectangle(centre - reach, centre + reach, (clip.z / clip.w * LIFT).min(1.0));
     if !projection.may_show(&places) {
         return;
@@ -99,7 +104,7 @@ pub(super) fn append(marker: &Marker, projection: &Projection<'_>, point: f32, c
         form: form.normals,
         measures: [one, other, form.fold * radius, form.stroke * radius],
         hidden: marker.hidden,
-        rim: RIM * point,
+        rim,
         colors: [marker.color, marker.rim],
     };
     corners.extend(quad.at(places));

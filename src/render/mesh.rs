@@ -7,6 +7,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 
 use super::buffer::FrameBuffer;
+use super::outline::Outline;
 use super::pane::PaneUniform;
 use super::pipeline::{Lazy, PipelineMaker, Recipe};
 use super::targets::SAMPLES;
@@ -40,8 +41,8 @@ struct Ranges {
     opaque: Range<u32>,
     translucent: Vec<Range<u32>>,
     flat: Vec<Range<u32>>,
-    /// What the solids take of the pane: low and high corners (pixels of the pane).
-    bounds: Option<[Vec2; 2]>,
+    /// What the solids take of the pane.
+    outline: Option<Outline>,
 }
 
 impl Meshes {
@@ -72,9 +73,10 @@ impl Meshes {
         let (mut vertices, mut indices) = (vec![], vec![]);
         self.panes.clear();
         for (pane, uniform) in frame.panes.iter().zip(uniforms) {
+            let (eye, first) = (pane.camera.eye(), vertices.len());
             let mut add = |mesh: &Mesh| {
                 let start = indices.len() as u32;
-                append(mesh, &mut vertices, &mut indices);
+                append(mesh, eye, &mut vertices, &mut indices);
                 start..indices.len() as u32
             };
             let opaque = pane.meshes.iter().filter(|mesh| mesh.opaque).map(&mut add);
@@ -87,8 +89,8 @@ impl Meshes {
                 let range = add(mesh);
                 if are_mixed { ranges.translucent.push(range) } else { ranges.flat.push(range) }
             }
-            let solids = pane.meshes.iter().filter(|mesh| mesh.opaque || are_mixed);
-            ranges.bounds = bounds(solids, uniform);
+            let solids = [ranges.opaque.clone()].into_iter().chain(ranges.translucent.iter().cloned());
+            ranges.outline = Some(outline(&vertices[first..], &indices, solids, first, uniform));
             self.panes.push(ranges);
         }
         self.vertices.write(&maker.gpu.device, queue, bytemuck::cast_slice(&vertices));
@@ -112,16 +114,18 @@ impl Meshes {
             ..Recipe::new("flat meshes", module)
         };
         let writing = Some((wgpu::CompareFunction::GreaterEqual, true));
-        let solid =
-            |label, cull, depth| Recipe { label, cull, depth, samples: SAMPLES, ..base.clone() }.pipeline(maker.gpu);
+        let solid = Recipe { samples: SAMPLES, ..base.clone() };
+        let translucent = |label, cull| Recipe { label, cull, ..solid.clone() }.pipeline(maker.gpu);
         let any = |holds: fn(&Ranges) -> bool| self.panes.iter().any(holds);
         let is_opaque = any(|ranges| !ranges.opaque.is_empty());
         let is_translucent = any(|ranges| !ranges.translucent.is_empty());
         let is_flat = any(|ranges| !ranges.flat.is_empty());
-        self.opaque.want(is_opaque, || solid("opaque meshes", None, writing));
+        self.opaque.want(is_opaque, || {
+            Recipe { label: "opaque meshes", depth: writing, blend: None, ..solid.clone() }.pipeline(maker.gpu)
+        });
         let (front, back) = (Some(wgpu::Face::Front), Some(wgpu::Face::Back));
-        self.far_sides.want(is_translucent, || solid("far sides of translucent meshes", front, base.depth));
-        self.near_sides.want(is_translucent, || solid("near sides of translucent meshes", back, base.depth));
+        self.far_sides.want(is_translucent, || translucent("far sides of translucent meshes", front));
+        self.near_sides.want(is_translucent, || translucent("near sides of translucent meshes", back));
         self.flat.want(is_flat, || Recipe { constants: &[("is_lit", 0.0)], ..base.clone() }.pipeline(maker.gpu));
         self.depths.want(is_opaque && wants_depths, || {
             Recipe { label: "depths of meshes", depth: writing, is_colourless: true, ..base.clone() }
@@ -129,9 +133,9 @@ impl Meshes {
         });
     }
 
-    /// What the solids take of a pane: low and high corners (pixels of the pane).
-    pub(super) fn bounds(&self, pane: usize) -> Option<[Vec2; 2]> {
-        self.panes.get(pane)?.bounds
+    /// What the solids take of a pane.
+    pub(super) fn outline(&self, pane: usize) -> Option<&Outline> {
+        self.panes.get(pane)?.outline.as_ref()
     }
 
     /// Draws the solids, in several samples a pixel.
@@ -180,27 +184,51 @@ fn is_flat(mesh: &Mesh) -> bool {
     mesh.vertices.first().is_some_and(|vertex| vertex.normal == Vec3::ZERO)
 }
 
-fn append(mesh: &Mesh, vertices: &mut Vec<VertexData>, indices: &mut Vec<u32>) {
+/// Adds a mesh; of a solid one only the triangles that turn to the eye, unless that is within it: the others are hidden by them.
+fn append(mesh: &Mesh, eye: Vec3, vertices: &mut Vec<VertexData>, indices: &mut Vec<u32>) {
     let base = vertices.len() as u32;
     vertices.extend(mesh.vertices.iter().map(|vertex| VertexData {
         position: vertex.position.to_array(),
         normal: vertex.normal.to_array(),
         color: vertex.color.0,
     }));
-    indices.extend(mesh.indices.iter().map(|index| base + index));
+    let is_closed = mesh.opaque && !is_flat(mesh) && !may_hold(mesh, eye);
+    let triangles = mesh.indices.as_chunks::<3>().0.iter();
+    let seen = triangles.filter(|corners| {
+        let [a, b, c] = corners.map(|index| mesh.vertices[index as usize].position);
+        !is_closed || (b - a).cross(c - a).dot(eye - a) > 0.0
+    });
+    indices.extend(seen.flatten().map(|index| base + index));
 }
 
-/// The pixels of the pane that meshes take, all of it where one reaches behind the eye.
-fn bounds<'a>(meshes: impl Iterator<Item = &'a Mesh>, uniform: &PaneUniform) -> Option<[Vec2; 2]> {
+/// Whether a place is so near that it may be within a mesh.
+fn may_hold(mesh: &Mesh, place: Vec3) -> bool {
+    let places = || mesh.vertices.iter().map(|vertex| vertex.position);
+    let (low, high) = (places().reduce(Vec3::min), places().reduce(Vec3::max));
+    low.zip(high).is_some_and(|(low, high)| place.cmpge(low).all() && place.cmple(high).all())
+}
+
+/// What the triangles of these indices take of a pane whose vertices are these, from the first on.
+fn outline(
+    vertices: &[VertexData],
+    indices: &[u32],
+    solids: impl Iterator<Item = Range<u32>>,
+    first: usize,
+    uniform: &PaneUniform,
+) -> Outline {
     let size = Vec2::new(uniform.metrics.x, uniform.metrics.y);
-    let mut found: Option<[Vec2; 2]> = None;
-    for vertex in meshes.flat_map(|mesh| &mesh.vertices) {
-        let Some(ndc) = uniform.ndc(vertex.position) else { return Some([Vec2::ZERO, size]) };
-        let pixel = (ndc * Vec2::new(0.5, -0.5) + 0.5) * size;
-        let [low, high] = found.get_or_insert([pixel; 2]);
-        (*low, *high) = (low.min(pixel), high.max(pixel));
+    let pixel = |vertex: &VertexData| {
+        let ndc = uniform.ndc(Vec3::from_array(vertex.position))?;
+        Some((ndc * Vec2::new(0.5, -0.5) + 0.5) * size)
+    };
+    let pixels: Vec<Option<Vec2>> = vertices.iter().map(pixel).collect();
+    let mut outline = Outline::new(size);
+    for range in solids {
+        for corners in indices[range.start as usize..range.end as usize].as_chunks::<3>().0 {
+            outline.add(corners.map(|index| pixels[index as usize - first]));
+        }
     }
-    found.map(|[low, high]| [low.max(Vec2::ZERO), high.min(size)])
+    outline
 }
 
 fn farthest_first(pane: &Pane) -> Vec<&Mesh> {
@@ -213,4 +241,35 @@ fn farthest_first(pane: &Pane) -> Vec<&Mesh> {
     let mut translucent: Vec<&Mesh> = pane.meshes.iter().filter(|mesh| !mesh.opaque).collect();
     translucent.sort_by(|a, b| depth(b).total_cmp(&depth(a)));
     translucent
+}
+
+#[cfg(test)]
+mod tests {
+    use super::append;
+    use crate::frame::{Color, Mesh, Vertex};
+    use glam::Vec3;
+
+    /// A tetrahedron about the origin, in the unit cube.
+    fn tetrahedron(normal: Vec3) -> Mesh {
+        let corners = [Vec3::ONE, Vec3::new(1.0, -1.0, -1.0), Vec3::new(-1.0, 1.0, -1.0), Vec3::new(-1.0, -1.0, 1.0)];
+        let vertices = corners.map(|position| Vertex { position, normal, color: Color::hex(0) }).to_vec();
+        Mesh { opaque: true, vertices, indices: vec![0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2] }
+    }
+
+    #[test]
+    fn of_a_solid_the_sides_are_drawn_that_turn_to_the_eye() {
+        let drawn = |mesh: &Mesh, eye: Vec3| {
+            let (mut vertices, mut indices) = (vec![], vec![]);
+            append(mesh, eye, &mut vertices, &mut indices);
+            indices
+        };
+        let solid = tetrahedron(Vec3::X);
+        // From beyond a corner its three sides, from opposite one side, from within all.
+        assert_eq!(drawn(&solid, Vec3::splat(9.0)), [0, 1, 2, 0, 2, 3, 0, 3, 1]);
+        assert_eq!(drawn(&solid, Vec3::splat(-9.0)), [1, 3, 2]);
+        assert_eq!(drawn(&solid, Vec3::splat(0.9)).len(), 12);
+        // What is flat has two sides, and through what is translucent both are seen.
+        assert_eq!(drawn(&tetrahedron(Vec3::ZERO), Vec3::splat(9.0)).len(), 12);
+        assert_eq!(drawn(&Mesh { opaque: false, ..solid }, Vec3::splat(9.0)).len(), 12);
+    }
 }

@@ -14,6 +14,7 @@ mod line;
 mod marker;
 mod mesh;
 mod notes;
+mod outline;
 mod overlay;
 mod painter;
 mod pane;

@@ -1,5 +1,5 @@
-//! What is laid over the surfaces: lines, marks and texts, each a quad with the same few numbers, so that one shader draws them
-//! all. Surfaces hide it by the depths that they left, and not by the device's own test: what is seen faintly through them is
+//! What is laid over the surfaces: lines, marks and texts, each a quad with the same few numbers in one buffer, drawn family by family.
+//! Surfaces hide it by the depths that they left, and not by the device's own test: what is seen faintly through them is
 //! drawn by the same pipeline.
 
 use std::ops::Range;
@@ -10,7 +10,7 @@ use glam::{Vec2, Vec3, Vec4};
 use super::buffer::{FrameBuffer, QuadBuffer, stride};
 use super::gpu::Gpu;
 use super::part::Part;
-use super::pipeline::Recipe;
+use super::pipeline::{Lazy, Recipe};
 use crate::frame::Color;
 
 /// `Quad` of shaders/overlay.wgsl, once for each corner.
@@ -76,10 +76,69 @@ const KINDS: [(Kind, &str); 9] = [
     (Kind::Text, "TEXT"),
 ];
 
-/// The shader after the numbers of the kinds, which it names.
-pub(super) fn source() -> String {
-    let numbers = KINDS.iter().map(|(kind, name)| format!("const {name} = {}.0;\n", *kind as u8));
-    numbers.collect::<String>() + include_str!("../../shaders/overlay.wgsl")
+/// What one shader draws. Each has its own: where there is no GPU every pixel pays for all that a shader tells apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub(super) enum Family {
+    Strokes,
+    Marks,
+    Glyphs,
+}
+
+impl Family {
+    /// All of them, each in its own place.
+    pub(super) const ALL: [Self; 3] = [Self::Strokes, Self::Marks, Self::Glyphs];
+
+    /// That of a quad, of which this is a corner.
+    fn of(corner: &QuadData) -> Self {
+        let kind = corner.style[0];
+        if kind < f32::from(Kind::Disc as u8) {
+            Self::Strokes
+        } else if kind < f32::from(Kind::Text as u8) {
+            Self::Marks
+        } else {
+            Self::Glyphs
+        }
+    }
+
+    fn label(self) -> &'static str {
+        match self {
+            Self::Strokes => "strokes",
+            Self::Marks => "marks",
+            Self::Glyphs => "glyphs",
+        }
+    }
+
+    /// Its shader, after what all have in common and the numbers of the kinds, which they name.
+    pub(super) fn source(self) -> String {
+        let numbers = KINDS.iter().map(|(kind, name)| format!("const {name} = {}.0;\n", *kind as u8));
+        let own = match self {
+            Self::Strokes => include_str!("../../shaders/strokes.wgsl"),
+            Self::Marks => include_str!("../../shaders/marks.wgsl"),
+            Self::Glyphs => include_str!("../../shaders/glyphs.wgsl"),
+        };
+        numbers.collect::<String>() + include_str!("../../shaders/overlay.wgsl") + own
+    }
+}
+
+/// Quads one after the other that one shader draws.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Run {
+    family: Family,
+    quads: Range<u32>,
+}
+
+/// What the quads with these numbers are, of which all corners are given, in their order.
+pub(super) fn runs(corners: &[QuadData], quads: Range<u32>) -> Vec<Run> {
+    let mut runs: Vec<Run> = vec![];
+    for number in quads {
+        let family = Family::of(&corners[4 * number as usize]);
+        match runs.last_mut() {
+            Some(run) if run.family == family => run.quads.end = number + 1,
+            _ => runs.push(Run { family, quads: number..number + 1 }),
+        }
+    }
+    runs
 }
 
 /// All that one quad is, but for its corners.
@@ -146,7 +205,8 @@ const ALL_SHOWN: [Shown; 4] = [Shown::Hidden, Shown::Seen, Shown::Sorted, Shown:
 
 /// Draws the quads of a frame.
 pub(super) struct Overlays {
-    pipeline: wgpu::RenderPipeline,
+    /// By the places of their families.
+    pipelines: [Lazy; Family::ALL.len()],
     layout: wgpu::BindGroupLayout,
     views: FrameBuffer,
     stride: usize,
@@ -176,25 +236,8 @@ impl Overlays {
                 entry(2, wgpu::ShaderStages::FRAGMENT, texture),
             ],
         });
-        let attributes = wgpu::vertex_attr_array![
-            0 => Float32x3, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x3, 5 => Float32x4, 6 => Float32x4
-        ];
-        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("overlay"),
-            source: wgpu::ShaderSource::Wgsl(source().into()),
-        });
-        let pipeline = Recipe {
-            buffer: Some(wgpu::VertexBufferLayout {
-                array_stride: size_of::<QuadData>() as u64,
-                step_mode: wgpu::VertexStepMode::Vertex,
-                attributes: &attributes,
-            }),
-            groups: &[&layout],
-            ..Recipe::new("overlay", &module)
-        }
-        .pipeline(gpu);
         Self {
-            pipeline,
+            pipelines: Default::default(),
             layout,
             views: FrameBuffer::new("overlay view", wgpu::BufferUsages::UNIFORM),
             stride: stride(device, size_of::<ViewUniform>()),
@@ -203,9 +246,13 @@ impl Overlays {
         }
     }
 
-    /// Takes the corners of all quads, those of each quad one after the other.
-    pub(super) fn upload(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, corners: &[QuadData]) {
-        self.quads.write(device, queue, corners);
+    /// Takes the corners of all quads, those of each quad one after the other, and makes what they are drawn by.
+    pub(super) fn upload(&mut self, gpu: &Gpu, corners: &[QuadData]) {
+        self.quads.write(&gpu.device, &gpu.queue, corners);
+        for (family, pipeline) in Family::ALL.into_iter().zip(&mut self.pipelines) {
+            let is_wanted = corners.iter().step_by(4).any(|corner| Family::of(corner) == family);
+            pipeline.want(is_wanted, || pipeline_of(gpu, &self.layout, family));
+        }
     }
 
     /// Turns to a part of a picture, with the depths that its surfaces left there.
@@ -252,21 +299,39 @@ impl Overlays {
 
     /// Makes ready for draws in this pass; false where there is nothing to draw.
     pub(super) fn begin(&self, pass: &mut wgpu::RenderPass<'_>) -> bool {
-        if !self.quads.bind(pass) {
-            return false;
-        }
-        pass.set_pipeline(&self.pipeline);
-        true
+        self.quads.bind(pass)
     }
 
-    /// Draws the quads of these numbers.
-    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, quads: &Range<u32>, shown: Shown) {
-        if quads.is_empty() {
-            return;
+    /// Draws these quads.
+    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, runs: &[Run], shown: Shown) {
+        for run in runs {
+            if self.pipelines[run.family as usize].set(pass) {
+                pass.set_bind_group(0, self.group.as_ref(), &[(self.stride * shown as usize) as u32]);
+                QuadBuffer::draw(pass, run.quads.clone());
+            }
         }
-        pass.set_bind_group(0, self.group.as_ref(), &[(self.stride * shown as usize) as u32]);
-        QuadBuffer::draw(pass, quads.clone());
     }
+}
+
+fn pipeline_of(gpu: &Gpu, layout: &wgpu::BindGroupLayout, family: Family) -> wgpu::RenderPipeline {
+    let attributes = wgpu::vertex_attr_array![
+        0 => Float32x3, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x3, 5 => Float32x4, 6 => Float32x4
+    ];
+    let label = family.label();
+    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(label),
+        source: wgpu::ShaderSource::Wgsl(family.source().into()),
+    });
+    Recipe {
+        buffer: Some(wgpu::VertexBufferLayout {
+            array_stride: size_of::<QuadData>() as u64,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes: &attributes,
+        }),
+        groups: &[layout],
+        ..Recipe::new(label, &module)
+    }
+    .pipeline(gpu)
 }
 
 #[cfg(test)]

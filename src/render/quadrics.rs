@@ -3,12 +3,17 @@
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
-use glam::{Mat4, Vec2, Vec3, Vec4};
+use glam::{Vec2, Vec4};
 
 use super::buffer::{FrameBuffer, UniformBuffer};
 use super::pane::PaneUniform;
 use super::pipeline::{Lazy, PipelineMaker, Recipe};
 use crate::frame::{Frame, Quadric, QuadricPair, Walls};
+
+/// Sides of a polygon round a silhouette: with so many it is larger by a twenty-fifth than what it holds.
+const SIDES: usize = 16;
+/// Beyond the silhouette nothing is covered from here on (pixels).
+const SOFT: f32 = 1.0;
 
 /// `Pair` of shaders/quadrics.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -75,7 +80,7 @@ impl Quadrics {
             let mut draws = vec![];
             for pair in &pane.quadrics {
                 let start = corners.len() as u32;
-                corners.extend(covering_triangles(pair, uniform.clip_from_world));
+                corners.extend(covering_triangles(pair, uniform));
                 let corners = start..corners.len() as u32;
                 let passes: &[[f32; 2]] = match (pair.hollow, pair.walls) {
                     (false, _) => &[[1.0, 1.0]],
@@ -180,43 +185,66 @@ fn pair_uniform(pair: &QuadricPair, [near, far]: [f32; 2], eye: Vec4) -> PairUni
     }
 }
 
-/// Triangles of the screen that hold both quadrics and little else: the convex hull of the corners of polyhedra
-/// round them. The whole screen where one reaches behind the eye.
-fn covering_triangles(pair: &QuadricPair, clip_from_world: Mat4) -> Vec<Vec2> {
+/// Triangles of the screen that hold both quadrics and little else: the convex hull of polygons round them. The whole screen where one
+/// reaches behind the eye.
+fn covering_triangles(pair: &QuadricPair, uniform: &PaneUniform) -> Vec<Vec2> {
     let mut points = vec![];
     for quadric in [Some(pair.first), pair.second].into_iter().flatten() {
-        let clip_from_unit = clip_from_world * quadric.unit_from_world.inverse();
-        for corner in polyhedron() {
-            let clip = clip_from_unit * corner.extend(1.0);
-            if clip.w <= crate::camera::NEAR {
-                let [a, b, c, d] = [Vec2::NEG_ONE, Vec2::new(1.0, -1.0), Vec2::ONE, Vec2::new(-1.0, 1.0)];
-                return vec![a, b, c, a, c, d];
-            }
-            points.push(Vec2::new(clip.x, clip.y) / clip.w);
-        }
+        let Some(polygon) = polygon_round(quadric, uniform) else {
+            let [a, b, c, d] = [Vec2::NEG_ONE, Vec2::new(1.0, -1.0), Vec2::ONE, Vec2::new(-1.0, 1.0)];
+            return vec![a, b, c, a, c, d];
+        };
+        points.extend(polygon);
     }
-    let hull = convex_hull(points);
-    let Some((&first, rest)) = hull.split_first() else { return vec![] };
-    rest.windows(2).flat_map(|pair| [first, pair[0], pair[1]]).collect()
+    let mut corners = vec![];
+    add_triangles(&convex_hull(points), &mut corners);
+    corners
 }
 
-/// Corners of a polyhedron round the unit sphere, with a margin for the sphere's soft edge: the 12 of an icosahedron
-/// and the 20 of its dual dodecahedron. Their hull's faces lie at 0.92 of the corners' distance.
-fn polyhedron() -> impl Iterator<Item = Vec3> {
-    const DISTANCE: f32 = 1.11;
-    const GOLDEN: f32 = 1.618_034;
-    let cyclic = |a: f32, b: f32, c: f32| [Vec3::new(a, b, c), Vec3::new(c, a, b), Vec3::new(b, c, a)];
-    let signs = |s: u32| [if s & 1 == 0 { 1.0 } else { -1.0 }, if s & 2 == 0 { 1.0 } else { -1.0 }];
-    let icosahedron = (0..4).flat_map(move |s| {
-        let [p, q] = signs(s);
-        cyclic(0.0, p, q * GOLDEN)
+/// Adds the triangles of a convex polygon, cut in halves again and again: where there is no GPU what two triangles share of a block of
+/// pixels is paid for twice, and the sides of a fan are all long.
+fn add_triangles(polygon: &[Vec2], corners: &mut Vec<Vec2>) {
+    if let ([first, .., last], middle @ 1..) = (polygon, polygon.len() / 2)
+        && polygon.len() > 2
+    {
+        corners.extend([*first, polygon[middle], *last]);
+        add_triangles(&polygon[..=middle], corners);
+        add_triangles(&polygon[middle..], corners);
+    }
+}
+
+/// Corners of a polygon of the screen whose sides touch the silhouette of a quadric, moved outward by the width of its soft edge; none
+/// where some of it is not before the eye.
+fn polygon_round(quadric: Quadric, uniform: &PaneUniform) -> Option<[Vec2; SIDES]> {
+    let clip_from_unit = uniform.clip_from_world * quadric.unit_from_world.inverse();
+    let eye = (quadric.unit_from_world * uniform.eye.truncate().extend(1.0)).truncate();
+    let squared = eye.length_squared();
+    if squared <= 1.0 {
+        return None;
+    }
+    // Where the unit sphere is touched by rays: a circle. A polygon round it is, seen from the eye, one round the silhouette.
+    let (centre, radius) = (eye / squared, (1.0 - squared.recip()).sqrt());
+    let (one, other) = (eye / squared.sqrt()).any_orthonormal_pair();
+    let outer = radius / (std::f32::consts::PI / SIDES as f32).cos();
+    let mut corners = [Vec2::ZERO; SIDES];
+    let mut middle = Vec2::ZERO;
+    for (n, corner) in corners.iter_mut().enumerate() {
+        let (sin, cos) = (std::f32::consts::TAU * n as f32 / SIDES as f32).sin_cos();
+        let clip = clip_from_unit * (centre + outer * (cos * one + sin * other)).extend(1.0);
+        if clip.w <= crate::camera::NEAR {
+            return None;
+        }
+        *corner = Vec2::new(clip.x, clip.y) / clip.w;
+        middle += *corner / SIDES as f32;
+    }
+    // The soft edge reaches at most half a pixel's diagonal beyond; the least distance of a side from the middle grows by that.
+    let pixel = Vec2::new(2.0 / uniform.metrics.x, 2.0 / uniform.metrics.y);
+    let sides = (0..SIDES).map(|n| {
+        let (a, b) = ((corners[n] - middle) / pixel, (corners[(n + 1) % SIDES] - middle) / pixel);
+        a.perp_dot((b - a).normalize_or_zero()).abs()
     });
-    let dodecahedron = (0..4).flat_map(move |s| {
-        let [p, q] = signs(s);
-        cyclic(0.0, p * GOLDEN, q / GOLDEN)
-    });
-    let cube = (0..8).map(|s| Vec3::from_array([0, 1, 2].map(|bit| if s >> bit & 1 == 0 { 1.0 } else { -1.0 })));
-    icosahedron.chain(dodecahedron).chain(cube).map(|corner| corner.normalize() * DISTANCE)
+    let least = sides.fold(f32::INFINITY, f32::min).max(1.0);
+    Some(corners.map(|corner| middle + (corner - middle) * (1.0 + SOFT / least)))
 }
 
 /// Andrew's monotone chain.

@@ -1,7 +1,5 @@
 //! Draws a frame into a texture.
 
-use std::ops::Range;
-
 use glam::Vec2;
 
 use super::buffer::UniformBuffer;
@@ -9,7 +7,7 @@ use super::dots::Dots;
 use super::gpu::Gpu;
 use super::mesh::Meshes;
 use super::notes;
-use super::overlay::{self, Overlays, Shown};
+use super::overlay::{self, Overlays, Run, Shown};
 use super::pane::{PaneUniform, Projection};
 use super::part::Part;
 use super::pipeline::PipelineMaker;
@@ -62,11 +60,11 @@ struct PreparedPane {
     corner: Vec2,
     extent: Vec2,
     /// The quads of its lines, of its marks, and of all that lies on the screen before it.
-    lines: Range<u32>,
+    lines: Vec<Run>,
     /// The lines lie in an order in which those behind walls come first.
     is_sorted: bool,
-    marks: Range<u32>,
-    flat: Range<u32>,
+    marks: Vec<Run>,
+    flat: Vec<Run>,
 }
 
 impl Renderer {
@@ -117,12 +115,11 @@ impl Renderer {
         let mut panes = vec![];
         for (((pane, uniform), notes), extent) in frame.panes.iter().zip(&uniforms).zip(&notes).zip(&extents) {
             let corner = pane.area.corner * picture;
-            let mut begun = 0;
-            let mut quads = |corners: &Vec<_>| {
+            let mut begun = (corners.len() / 4) as u32;
+            let mut runs = |corners: &Vec<_>| {
                 let end = (corners.len() / 4) as u32;
-                std::mem::replace(&mut begun, end)..end
+                overlay::runs(corners, std::mem::replace(&mut begun, end)..end)
             };
-            quads(&corners);
             let first = corners.len();
             let world = Projection::new(uniform, corner);
             for line in &pane.lines {
@@ -135,11 +132,11 @@ impl Renderer {
                     quadrics::hide(&pane.quadrics, uniform, ndc, middle.z)
                 });
             }
-            let lines = quads(&corners);
+            let lines = runs(&corners);
             for marker in &pane.markers {
                 marker::append(marker, &world, point, &mut corners);
             }
-            let marks = quads(&corners);
+            let marks = runs(&corners);
             let screen = PaneUniform::flat(*extent, point);
             let screen = Projection::new(&screen, corner);
             let (swatch_lines, swatch_marks) = notes::swatches(notes, point);
@@ -150,10 +147,10 @@ impl Renderer {
                 marker::append(marker, &screen, point, &mut corners);
             }
             self.texts.append((pane, uniform, corner), notes, (frame.background, point), &mut corners);
-            let flat = quads(&corners);
+            let flat = runs(&corners);
             panes.push(PreparedPane { corner, extent: *extent, lines, is_sorted, marks, flat });
         }
-        self.overlays.upload(device, queue, &corners);
+        self.overlays.upload(gpu, &corners);
         let is_atlas_new = self.texts.upload(device, queue) || self.prepared.is_atlas_new;
         self.prepared = Prepared { clear: clear_color(frame), panes, is_atlas_new };
     }
@@ -163,9 +160,10 @@ impl Renderer {
         let (device, queue) = (&gpu.device, &gpu.queue);
         let prepared = &mut self.prepared;
         let rooms = prepared.panes.iter().enumerate().filter_map(|(number, pane)| {
-            let [low, high] = self.meshes.bounds(number)?.map(|at| at + pane.corner);
-            let room = part.within((low - 1.0).max(pane.corner), (high + 1.0).min(pane.corner + pane.extent));
-            Some((number, room))
+            let outline = self.meshes.outline(number)?;
+            let [low, high] = outline.bounds()?.map(|at| at + pane.corner);
+            let room = part.within(low, high);
+            Some((number, room, outline.rectangles(room, pane.corner).collect()))
         });
         self.solids.make_room(gpu, part, rooms);
         let mut are_new = std::mem::take(&mut prepared.is_atlas_new);

@@ -38,6 +38,8 @@ pub(super) struct Solids {
     made: Option<(wgpu::RenderPipeline, wgpu::BindGroupLayout)>,
     targets: Option<Targets>,
     corners: FrameBuffer,
+    /// How many corners of triangles are drawn.
+    count: u32,
     rooms: Vec<Room>,
 }
 
@@ -53,31 +55,33 @@ struct Targets {
 impl Solids {
     pub(super) fn new(gpu: &Gpu) -> Self {
         let corners = FrameBuffer::new("places of solids", wgpu::BufferUsages::VERTEX);
-        Self { reads_samples: gpu.is_software_vulkan(), made: None, targets: None, corners, rooms: vec![] }
+        Self { reads_samples: gpu.is_software_vulkan(), made: None, targets: None, corners, count: 0, rooms: vec![] }
     }
 
-    /// Makes room for the solids of panes, as parts of the part of a picture that is drawn.
-    pub(super) fn make_room(&mut self, gpu: &Gpu, whole: Part, wanted: impl Iterator<Item = (usize, Part)>) {
+    /// Makes room for the solids of panes, as parts of the part of a picture that is drawn, and for each the rectangles of it (low and
+    /// high corners) that are laid into the picture.
+    pub(super) fn make_room(
+        &mut self,
+        gpu: &Gpu,
+        whole: Part,
+        wanted: impl Iterator<Item = (usize, Part, Vec<[Vec2; 2]>)>,
+    ) {
         let mut left = 0;
-        let mut rooms = vec![];
-        for (pane, part) in wanted.filter(|(_, part)| !part.is_empty()) {
-            rooms.push(Room { pane, part, left });
+        let mut corners: Vec<PlacedData> = vec![];
+        let ndc = |pixel: Vec2| ((pixel - whole.corner()) / whole.extent() * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
+        self.rooms.clear();
+        for (pane, part, rectangles) in wanted.filter(|(_, part, _)| !part.is_empty()) {
+            let shift = Vec2::new(left as f32, 0.0) - (part.corner() - whole.corner());
+            corners.extend(rectangles.iter().flat_map(|&[low, high]| {
+                let [a, b, c, d] = [low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)].map(ndc);
+                [a, b, c, a, c, d].map(|ndc| PlacedData { ndc, shift })
+            }));
+            self.rooms.push(Room { pane, part, left });
             left += part.size[0];
         }
-        self.rooms = rooms;
-        if self.rooms.is_empty() {
-            return;
-        }
-        let highest = self.rooms.iter().map(|room| room.part.size[1]).max().unwrap_or(0);
+        self.count = corners.len() as u32;
+        let Some(highest) = self.rooms.iter().map(|room| room.part.size[1]).max() else { return };
         self.fit(gpu, [left, highest]);
-        let ndc = |pixel: Vec2| ((pixel - whole.corner()) / whole.extent() * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
-        let corners = self.rooms.iter().flat_map(|room| {
-            let (low, high) = (room.part.corner(), room.part.corner() + room.part.extent());
-            let shift = Vec2::new(room.left as f32, 0.0) - (low - whole.corner());
-            let [a, b, c, d] = [low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)].map(ndc);
-            [a, b, c, a, c, d].map(|ndc| PlacedData { ndc, shift })
-        });
-        let corners: Vec<PlacedData> = corners.collect();
         self.corners.write(&gpu.device, &gpu.queue, bytemuck::cast_slice(&corners));
     }
 
@@ -146,7 +150,7 @@ impl Solids {
             pass.set_pipeline(pipeline);
             pass.set_bind_group(0, &targets.group, &[]);
             pass.set_vertex_buffer(0, corners.slice(..));
-            pass.draw(0..6 * self.rooms.len() as u32, 0..1);
+            pass.draw(0..self.count, 0..1);
         }
     }
 }
