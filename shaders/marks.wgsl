@@ -14,7 +14,8 @@ struct Corner {
 @vertex
 fn vertex(quad: Quad) -> Corner {
     let style = vec4f(quad.style.xz, strengths(quad));
-    return Corner(placed(quad), quad.place, quad.form, quad.measures, style, quad.color, quad.other_color);
+    let place = vec4f(quad.place.xy - view.corner.xy, quad.place.zw);
+    return Corner(placed(quad), place, quad.form, quad.measures, style, quad.color, quad.other_color);
 }
 
 // Distance to the outline of a mark, negative inside.
@@ -32,7 +33,7 @@ fn outline(at: vec2f, in: Corner) -> f32 {
 
 @fragment
 fn fragment(in: Corner) -> @location(0) vec4f {
-    let from_centre = in.clip.xy + view.corner.xy - in.place.xy;
+    let from_centre = in.clip.xy - in.place.xy;
     let turn = in.place.zw;
     let at = vec2f(dot(from_centre, turn), dot(from_centre, vec2f(turn.y, -turn.x)));
     let away = outline(at, in);

@@ -1,6 +1,6 @@
 // What is laid over the surfaces: lines, marks and texts, quads whose edges are smooth by what each covers of a pixel. This is what all
-// three have in common; each has a shader of its own after it, since without a GPU every pixel pays for all that is in one. What a quad
-// holds is told in src/render/overlay.rs.
+// three have in common; each has a shader of its own after it, since without a GPU every pixel pays for all that is in one, and for every
+// uniform that it reads. What a quad holds is told in src/render/overlay.rs.
 
 struct View {
     // Takes pixels of the picture to normalised device coordinates: scale, offset.

@@ -16,19 +16,22 @@ struct Pane {
 
 @group(0) @binding(0) var<uniform> pane: Pane;
 
-// How bright soft light makes what is seen on a side.
-fn light(normal: vec3f) -> f32 {
+// What a fragment needs of this it gets from its vertices: without a GPU a uniform is read for every pixel anew.
+
+// How bright soft light makes a side whose normal has these products with the directions to the key and the fill light. Strengths: of
+// both, and of what comes from everywhere.
+fn light(to_key: f32, to_fill: f32, strengths: vec3f) -> f32 {
     // Wrapped: no face goes black, and the turn from light to shade is soft.
-    let key = 0.5 + 0.5 * dot(normal, pane.key_light.xyz);
-    let fill = 0.5 + 0.5 * dot(normal, pane.fill_light.xyz);
+    let key = 0.5 + 0.5 * to_key;
+    let fill = 0.5 + 0.5 * to_fill;
     // Colours are encoded, light is not: the root stands for the encoding.
-    return sqrt(pane.metrics.w + key * (0.3 + 0.7 * key) * pane.key_light.w + fill * pane.fill_light.w);
+    return sqrt(strengths.z + key * (0.3 + 0.7 * key) * strengths.x + fill * strengths.y);
 }
 
-// The gleam of a light. `half_way` lies between the key light and the eye.
-fn gleam(normal: vec3f, half_way: vec3f) -> f32 {
+// The gleam of a light, by the product of the normal and what lies half way between the light and the eye.
+fn gleam(to_half_way: f32) -> f32 {
     // The 32nd power, by squaring: cheap where there is no special hardware for powers.
-    let s = max(dot(normal, half_way), 0.0);
+    let s = max(to_half_way, 0.0);
     let s2 = s * s;
     let s4 = s2 * s2;
     let s8 = s4 * s4;

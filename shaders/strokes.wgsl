@@ -2,7 +2,7 @@
 
 struct Corner {
     @builtin(position) clip: vec4f,
-    // both ends (pixels of the picture)
+    // both ends (pixels of the part of the picture that is drawn)
     @location(0) @interpolate(flat) ends: vec4f,
     @location(1) @interpolate(flat) bisectors: vec4f,
     // unit vector from one end to the other, their distance, half the width
@@ -16,7 +16,7 @@ struct Corner {
 
 @vertex
 fn vertex(quad: Quad) -> Corner {
-    let ends = quad.place;
+    let ends = quad.place - view.corner.xyxy;
     let long = max(distance(ends.xy, ends.zw), 1e-6);
     let half_width = quad.measures.w;
     let way = vec4f((ends.zw - ends.xy) / long, long, half_width);
@@ -30,8 +30,8 @@ fn vertex(quad: Quad) -> Corner {
 
 @fragment
 fn fragment(in: Corner) -> @location(0) vec4f {
-    let from_start = in.clip.xy + view.corner.xy - in.ends.xy;
-    let from_end = in.clip.xy + view.corner.xy - in.ends.zw;
+    let from_start = in.clip.xy - in.ends.xy;
+    let from_end = in.clip.xy - in.ends.zw;
     let long = in.way.z;
     let half_width = in.way.w;
     let along = dot(from_start, in.way.xy);

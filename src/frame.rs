@@ -156,6 +156,23 @@ pub struct Mesh {
     pub indices: Vec<u32>,
 }
 
+/// The triangles of a convex polygon of so many corners, by their numbers, the way round that they go: cut in halves again and again.
+/// Where there is no GPU what two triangles share of a block of pixels is paid for twice, and the sides of a fan are all long.
+#[must_use]
+pub fn halved(corners: u32) -> Vec<[u32; 3]> {
+    fn cut(first: u32, last: u32, triangles: &mut Vec<[u32; 3]>) {
+        if last > first + 1 {
+            let middle = first.midpoint(last);
+            triangles.push([first, middle, last]);
+            cut(first, middle, triangles);
+            cut(middle, last, triangles);
+        }
+    }
+    let mut triangles = vec![];
+    cut(0, corners.saturating_sub(1), &mut triangles);
+    triangles
+}
+
 /// A closed quadric surface `|unit_from_world p| = 1` (ellipsoid), translucent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quadric {

@@ -9,13 +9,15 @@ use glam::{Mat2, Mat3, Vec2, Vec3};
 
 use super::{Context, Role, body, labels};
 use crate::frame::{
-    Color, Dash, Label, LabelStyle, Line, LinePoint, Mark, Marker, Mesh, Pane, Quadric, QuadricPair, Vertex,
+    Color, Dash, Label, LabelStyle, Line, LinePoint, Mark, Marker, Mesh, Pane, Quadric, QuadricPair, Vertex, halved,
 };
 use crate::frame::{single, single_matrix};
 use crate::physics::poinsot;
 
 /// Radius of the drawn part of the plane.
 const PLANE_RADIUS: f32 = 0.9;
+/// Corners of a circle.
+const POINTS: u32 = 128;
 /// Flips before and after now that the herpolhode is drawn for.
 const FLIPS: f64 = 3.0;
 const HERPOLHODE_POINTS: u32 = 1600;
@@ -48,14 +50,16 @@ pub(super) fn shadow(context: &Context<'_>, pane: &mut Pane) {
     let map = Mat2::from_cols_array(&[a + root, b, b, d + root]) * scale * 2.4;
     let shade = context.palette.shadow;
     let centre = Vec3::new(middle.x, middle.y, floor.z + 0.004);
-    disc(pane, centre, map, 8, |r| shade.fade((1.0 - r * r).powi(2)));
+    disc(pane, centre, map, 6, |r| shade.fade((1.0 - r * r).powi(2)));
 }
 
 /// The invariable plane itself, with its name.
 pub(super) fn plane(context: &Context<'_>, pane: &mut Pane) {
     let centre = Vec3::new(0.0, 0.0, -context.plane_height());
     let ink = context.palette.ink;
-    disc(pane, centre, Mat2::from_diagonal(Vec2::splat(PLANE_RADIUS)), 1, |_| ink.alpha(0.05));
+    let corner = |position| Vertex { position, normal: Vec3::ZERO, color: ink.alpha(0.05) };
+    let vertices: Vec<Vertex> = circle(centre, PLANE_RADIUS).take(POINTS as usize).map(corner).collect();
+    pane.meshes.push(Mesh { opaque: false, vertices, indices: halved(POINTS).concat() });
     pane.lines.push(Line::new(circle(centre, PLANE_RADIUS), 1.4, ink.alpha(0.5)));
     // Without Poinsot's construction on it it is the floor, and nobody asks for its name.
     if !context.shows_any(|role| matches!(role, Role::OnPlane | Role::RollingEllipsoid)) {
@@ -150,12 +154,13 @@ pub(super) fn annulus(context: &Context<'_>, pane: &mut Pane) {
 }
 
 fn circle(centre: Vec3, radius: f32) -> impl Iterator<Item = Vec3> {
-    (0..=128).map(move |n| centre + (Vec2::from_angle(TAU * (n % 128) as f32 / 128.0) * radius).extend(0.0))
+    (0..=POINTS)
+        .map(move |n| centre + (Vec2::from_angle(TAU * (n % POINTS) as f32 / POINTS as f32) * radius).extend(0.0))
 }
 
-/// A level disc under a linear map, coloured in so many rings by the distance from its middle (0 to 1).
+/// A level disc under a linear map, coloured in so many rings by the distance from its middle (0 to 1), and nothing at its rim.
 fn disc(pane: &mut Pane, centre: Vec3, map: Mat2, rings: u32, color: impl Fn(f32) -> Color) {
-    const SPOKES: u32 = 48;
+    const SPOKES: u32 = 24;
     let mut mesh = Mesh::default();
     for ring in 0..=rings {
         let r = ring as f32 / rings as f32;
@@ -167,7 +172,11 @@ fn disc(pane: &mut Pane, centre: Vec3, map: Mat2, rings: u32, color: impl Fn(f32
     for ring in 0..rings {
         for spoke in 0..SPOKES {
             let (a, b) = (ring * SPOKES + spoke, ring * SPOKES + (spoke + 1) % SPOKES);
-            mesh.indices.extend([a, a + SPOKES, b + SPOKES, a, b + SPOKES, b]);
+            mesh.indices.extend([a, a + SPOKES, b + SPOKES]);
+            // The innermost ring has no inner side.
+            if ring > 0 {
+                mesh.indices.extend([a, b + SPOKES, b]);
+            }
         }
     }
     pane.meshes.push(mesh);

@@ -8,7 +8,7 @@ use glam::{DVec2, Mat2, Vec2, Vec3};
 
 use super::{Context, axes, labels};
 use crate::camera::Camera;
-use crate::frame::{Color, Dash, Label, Line, Mark, Marker, Mesh, Pane, Vertex};
+use crate::frame::{Color, Dash, Label, Line, Mark, Marker, Mesh, Pane, Vertex, halved};
 use crate::physics::poinsot;
 
 /// Radius of the glass, its distance from the sides of the view, the room for its name below it, and how far from the view's middle it
@@ -206,9 +206,8 @@ fn circle() -> impl Iterator<Item = Vec2> {
 /// What the glass is made of: nothing is seen through it.
 fn disc(pane: &mut Pane, glass: &Glass, color: Color) {
     let vertex = |place: Vec2| Vertex { position: glass.at(place), normal: Vec3::ZERO, color };
-    let vertices: Vec<Vertex> = std::iter::once(Vec2::ZERO).chain(circle()).map(vertex).collect();
-    let indices = (1..=POINTS).flat_map(|n| [0, n, n + 1]).collect();
-    pane.meshes.push(Mesh { opaque: true, vertices, indices });
+    let vertices: Vec<Vertex> = circle().take(POINTS as usize).map(vertex).collect();
+    pane.meshes.push(Mesh { opaque: true, vertices, indices: halved(POINTS).concat() });
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use glam::{Vec2, Vec4};
 use super::buffer::{FrameBuffer, UniformBuffer};
 use super::pane::PaneUniform;
 use super::pipeline::{Lazy, PipelineMaker, Recipe};
-use crate::frame::{Frame, Quadric, QuadricPair, Walls};
+use crate::frame::{Frame, Quadric, QuadricPair, Walls, halved};
 
 /// Sides of a polygon round a silhouette: with so many it is larger by a twenty-fifth than what it holds.
 const SIDES: usize = 16;
@@ -196,21 +196,8 @@ fn covering_triangles(pair: &QuadricPair, uniform: &PaneUniform) -> Vec<Vec2> {
         };
         points.extend(polygon);
     }
-    let mut corners = vec![];
-    add_triangles(&convex_hull(points), &mut corners);
-    corners
-}
-
-/// Adds the triangles of a convex polygon, cut in halves again and again: where there is no GPU what two triangles share of a block of
-/// pixels is paid for twice, and the sides of a fan are all long.
-fn add_triangles(polygon: &[Vec2], corners: &mut Vec<Vec2>) {
-    if let ([first, .., last], middle @ 1..) = (polygon, polygon.len() / 2)
-        && polygon.len() > 2
-    {
-        corners.extend([*first, polygon[middle], *last]);
-        add_triangles(&polygon[..=middle], corners);
-        add_triangles(&polygon[middle..], corners);
-    }
+    let hull = convex_hull(points);
+    halved(hull.len() as u32).into_iter().flatten().map(|corner| hull[corner as usize]).collect()
 }
 
 /// Corners of a polygon of the screen whose sides touch the silhouette of a quadric, moved outward by the width of its soft edge; none
