@@ -4,33 +4,42 @@ override is_lit: bool = true;
 
 struct Corner {
     @builtin(position) clip: vec4f,
-    @location(0) to_eye: vec3f,
-    @location(1) normal: vec3f,
+    // normal, and its product with the direction to the key light
+    @location(0) normal: vec4f,
+    // way to the eye, and the product of the normal with the direction to the fill light
+    @location(1) to_eye: vec4f,
     @location(2) color: vec4f,
-    // directions to the lights; w: light from everywhere
-    @location(3) @interpolate(flat) key: vec4f,
-    @location(4) @interpolate(flat) fill: vec3f,
-    // strengths of both lights
-    @location(5) @interpolate(flat) strengths: vec2f,
+    // strengths of the light, and the product of the way to the eye with the direction to the key light
+    @location(3) light: vec4f,
 }
 
 @vertex
 fn vertex(@location(0) position: vec3f, @location(1) normal: vec3f, @location(2) color: vec4f) -> Corner {
     let clip = pane.clip_from_world * vec4f(position, 1.0);
-    let key = vec4f(pane.key_light.xyz, pane.metrics.w);
-    let strengths = vec2f(pane.key_light.w, pane.fill_light.w);
-    return Corner(clip, pane.eye.xyz - position, normal, color, key, pane.fill_light.xyz, strengths);
+    let key = pane.key_light.xyz;
+    let to_eye = pane.eye.xyz - position;
+    return Corner(
+        clip,
+        vec4f(normal, dot(normal, key)),
+        vec4f(to_eye, dot(normal, pane.fill_light.xyz)),
+        color,
+        vec4f(pane.key_light.w, pane.fill_light.w, pane.metrics.w, dot(to_eye, key)),
+    );
 }
 
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     var color = corner.color.rgb;
-    if is_lit && dot(corner.normal, corner.normal) > 0.25 {
-        let key = corner.key.xyz;
-        let normal = normalize(select(-corner.normal, corner.normal, front));
-        let brightness = light(dot(normal, key), dot(normal, corner.fill), vec3f(corner.strengths, corner.key.w));
-        let half_way = normalize(key + normalize(corner.to_eye));
-        color = color * brightness + vec3f(0.06 * gleam(dot(normal, half_way)));
+    let squared = dot(corner.normal.xyz, corner.normal.xyz);
+    if is_lit && squared > 0.25 {
+        let scale = select(-1.0, 1.0, front) * inverseSqrt(squared);
+        let per_way = inverseSqrt(dot(corner.to_eye.xyz, corner.to_eye.xyz));
+        let to_key = scale * corner.normal.w;
+        let to_eye = scale * per_way * dot(corner.normal.xyz, corner.to_eye.xyz);
+        // Half way between the key light and the eye lies the sum of the directions to them.
+        let half_way = inverseSqrt(max(2.0 + 2.0 * per_way * corner.light.w, 1e-6));
+        let brightness = light(to_key, scale * corner.to_eye.w, corner.light.xyz);
+        color = color * brightness + vec3f(0.06 * gleam((to_key + to_eye) * half_way));
     }
     return vec4f(color * corner.color.a, corner.color.a);
 }

@@ -81,31 +81,24 @@ const KINDS: [(Kind, &str); 9] = [
 #[repr(u8)]
 pub(super) enum Family {
     Strokes,
-    Marks,
-    Glyphs,
+    /// Marks and glyphs.
+    Signs,
 }
 
 impl Family {
     /// All of them, each in its own place.
-    pub(super) const ALL: [Self; 3] = [Self::Strokes, Self::Marks, Self::Glyphs];
+    pub(super) const ALL: [Self; 2] = [Self::Strokes, Self::Signs];
 
     /// That of a quad, of which this is a corner.
     fn of(corner: &QuadData) -> Self {
         let kind = corner.style[0];
-        if kind < f32::from(Kind::Disc as u8) {
-            Self::Strokes
-        } else if kind < f32::from(Kind::Text as u8) {
-            Self::Marks
-        } else {
-            Self::Glyphs
-        }
+        if kind < f32::from(Kind::Disc as u8) { Self::Strokes } else { Self::Signs }
     }
 
     fn label(self) -> &'static str {
         match self {
             Self::Strokes => "strokes",
-            Self::Marks => "marks",
-            Self::Glyphs => "glyphs",
+            Self::Signs => "signs",
         }
     }
 
@@ -114,8 +107,7 @@ impl Family {
         let numbers = KINDS.iter().map(|(kind, name)| format!("const {name} = {}.0;\n", *kind as u8));
         let own = match self {
             Self::Strokes => include_str!("../../shaders/strokes.wgsl"),
-            Self::Marks => include_str!("../../shaders/marks.wgsl"),
-            Self::Glyphs => include_str!("../../shaders/glyphs.wgsl"),
+            Self::Signs => include_str!("../../shaders/signs.wgsl"),
         };
         numbers.collect::<String>() + include_str!("../../shaders/overlay.wgsl") + own
     }

@@ -1,22 +1,4 @@
-// Marks of constant size, each measured by its kind.
-
-struct Corner {
-    @builtin(position) clip: vec4f,
-    @location(0) @interpolate(flat) place: vec4f,
-    @location(1) @interpolate(flat) form: vec4f,
-    @location(2) @interpolate(flat) measures: vec4f,
-    // kind, width of the rim, opacity where something is before it, where nothing is
-    @location(3) @interpolate(flat) style: vec4f,
-    @location(4) @interpolate(flat) color: vec4f,
-    @location(5) @interpolate(flat) other_color: vec4f,
-}
-
-@vertex
-fn vertex(quad: Quad) -> Corner {
-    let style = vec4f(quad.style.xz, strengths(quad));
-    let place = vec4f(quad.place.xy - view.corner.xy, quad.place.zw);
-    return Corner(placed(quad), place, quad.form, quad.measures, style, quad.color, quad.other_color);
-}
+// Signs: marks of constant size, each measured by its kind, and the glyphs of texts.
 
 // Distance to the outline of a mark, negative inside.
 fn outline(at: vec2f, in: Corner) -> f32 {
@@ -44,5 +26,8 @@ fn fragment(in: Corner) -> @location(0) vec4f {
     let ball = mix(in.color.rgb * (0.82 + 0.3 * high), vec3f(1.0), 0.25 * high * high);
     let paint = select(in.color.rgb, ball, in.style.x == DISC);
     let mark = vec4f(paint * inner, inner) + (1.0 - inner) * vec4f(in.other_color.rgb * outer, outer);
-    return mark * strength(in.clip, in.style.zw);
+
+    let cover = textureLoad(atlas, vec2i(from_centre + in.place.zw), 0).r * in.color.a;
+    let glyph = vec4f(in.color.rgb, 1.0) * cover;
+    return select(mark, glyph, in.style.x == TEXT) * strength(in);
 }
