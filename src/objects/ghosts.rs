@@ -8,6 +8,8 @@ use crate::scene::Theme;
 /// Opacity of a ghost's faces, reached where it lies this far from the body.
 const OPACITY: f32 = 0.17;
 const APART: f32 = 0.2;
+/// Up to this opacity nothing changes by half of a level of 255.
+const UNSEEN: f32 = 0.5 / 255.0;
 /// How a method is drawn wherever it is a ghost.
 #[must_use]
 pub fn method_color(method: &Method, theme: Theme) -> Color {
@@ -61,7 +63,9 @@ pub(super) fn bodies(context: &Context<'_>, pane: &mut Pane) {
         }
         // A method that blows the body up is drawn until it leaves all bounds.
         if mesh.vertices.iter().all(|vertex| vertex.position.is_finite() && vertex.position.length() < 1e3) {
-            pane.meshes.push(mesh);
+            if OPACITY * apart > UNSEEN {
+                pane.meshes.push(mesh);
+            }
             let before = pane.lines.len();
             body::edges(context, state, pane, color, 2.2);
             for line in &mut pane.lines[before..] {
