@@ -435,3 +435,25 @@ pub struct Swatch {
     /// Colour of the rim round the mark.
     pub rim: Color,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::halved;
+    use glam::Vec2;
+
+    #[test]
+    fn triangles_make_up_the_polygon_and_go_the_way_it_goes() {
+        for count in [0, 1, 2, 3, 4, 7, 64] {
+            let corner = |n: u32| Vec2::from_angle(std::f32::consts::TAU * n as f32 / count as f32);
+            let areas = halved(count).into_iter().map(|[a, b, c]| {
+                let (a, b, c) = (corner(a), corner(b), corner(c));
+                0.5 * (b - a).perp_dot(c - a)
+            });
+            let areas: Vec<f32> = areas.collect();
+            assert_eq!(areas.len(), count.saturating_sub(2) as usize);
+            assert!(areas.iter().all(|area| *area > 0.0));
+            let whole = 0.5 * count as f32 * (std::f32::consts::TAU / count.max(3) as f32).sin();
+            assert!(count < 3 || (areas.iter().sum::<f32>() - whole).abs() < 1e-5);
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! The window while it is open: its events, its panels, its screen.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use egui_winit::accesskit_winit;
@@ -250,16 +251,41 @@ impl OpenWindow {
     }
 }
 
-/// Opens a device that draws into the window.
+/// Opens a device that draws into the window. OpenGL is slow to load, and where the kernel knows no graphics card it would draw on the
+/// processor too: there it is tried only where nothing else draws.
 fn open_stage(
     window: &Arc<Window>,
     event_loop: &ActiveEventLoop,
     options: &WindowOptions,
     proxy: &EventLoopProxy<Wake>,
 ) -> Result<(wgpu::Instance, Stage), WindowError> {
-    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+    let open = |backends| open_stage_by(backends, window, event_loop, options, proxy);
+    let all = wgpu::Backends::all();
+    let is_chosen = wgpu::Backends::from_env().is_some();
+    if is_chosen || may_have_cards() {
+        return open(all);
+    }
+    open(all - wgpu::Backends::GL).or_else(|_| open(all))
+}
+
+/// Whether the kernel may know a graphics card: Linux shows each as a file.
+fn may_have_cards() -> bool {
+    const PLACES: [&str; 3] = ["/dev/dri", "/dev/nvidiactl", "/dev/dxg"];
+    !cfg!(target_os = "linux") || PLACES.iter().any(|place| Path::new(place).exists())
+}
+
+/// The same by some backends, or by those that the environment names.
+fn open_stage_by(
+    backends: wgpu::Backends,
+    window: &Arc<Window>,
+    event_loop: &ActiveEventLoop,
+    options: &WindowOptions,
+    proxy: &EventLoopProxy<Wake>,
+) -> Result<(wgpu::Instance, Stage), WindowError> {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = backends;
     descriptor.display = Some(Box::new(event_loop.owned_display_handle()));
-    let instance = wgpu::Instance::new(descriptor);
+    let instance = wgpu::Instance::new(descriptor.with_env());
     let surface = instance.create_surface(Arc::clone(window)).map_err(|error| {
         // Without a driver there is nothing to make one by, and the window system is not to blame.
         let has_none = pollster::block_on(adapters()).is_empty();

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::{Cameras, OBJECTS, build_frame, check, word_of};
-use crate::frame::{Frame, Pane};
+use crate::frame::{Dash, Frame, Pane};
 use crate::scene::{Layout, Scene, SceneError, SceneFile, Theme, preset, presets};
 use crate::sim::Simulation;
 
@@ -163,6 +163,23 @@ fn the_ellipsoid_touches_the_plane_opposite_the_tip_of_the_angular_velocity() ->
         let normal = (pair.first.unit_from_world.transpose() * unit.extend(0.0)).truncate().normalize();
         assert!(normal.z < -1.0 + 1e-6, "{normal}");
     }
+    Ok(())
+}
+
+/// A ghost that lies on the body is not drawn over it, one that has left it is; its edges are there all along.
+#[test]
+fn ghosts_are_drawn_where_they_differ_from_the_body() -> Result<(), SceneError> {
+    let mut file = preset("flip")?.read()?;
+    file.motion.compare = vec!["rk4".to_owned(), "lie-euler".to_owned()];
+    let scene = check(&file)?;
+    let ghosts = |time: f64| {
+        let pane = &frame_of(&scene, time, 16.0 / 9.0).panes[0];
+        let boxes = pane.meshes.iter().filter(|mesh| !mesh.opaque && mesh.vertices.len() == 24).count();
+        (boxes, pane.lines.iter().filter(|line| line.dash != Dash::Solid).count())
+    };
+    // Runge–Kutta keeps to it for long, Lie–Euler not beyond the first flip.
+    assert_eq!(ghosts(0.0), (0, 24));
+    assert_eq!(ghosts(4.0), (1, 24));
     Ok(())
 }
 

@@ -328,20 +328,30 @@ fn pipeline_of(gpu: &Gpu, layout: &wgpu::BindGroupLayout, family: Family) -> wgp
 
 #[cfg(test)]
 mod tests {
-    use super::{Kind, Quad, QuadData, put_first};
+    use super::{Family, Kind, Quad, QuadData, put_first, runs};
     use crate::frame::Color;
     use glam::Vec2;
 
+    fn quad(kind: Kind, depth: f32) -> [QuadData; 4] {
+        let place = [Vec2::ZERO; 2];
+        let colors = [Color::hex(0); 2];
+        let quad = Quad { kind, place, form: place, measures: [0.0; 4], hidden: 0.0, rim: 0.0, colors };
+        quad.at(Quad::rectangle(Vec2::ZERO, Vec2::ONE, depth))
+    }
+
+    #[test]
+    fn each_run_is_of_one_shader_and_all_are_in_their_order() {
+        let kinds = [Kind::Disc, Kind::Solid, Kind::Dotted, Kind::Disc, Kind::Text, Kind::Fourfold, Kind::Dashed];
+        let corners: Vec<QuadData> = kinds.into_iter().flat_map(|kind| quad(kind, 0.5)).collect();
+        let found: Vec<_> = runs(&corners, 1..7).into_iter().map(|run| (run.family, run.quads)).collect();
+        assert_eq!(found, [(Family::Strokes, 1..3), (Family::Signs, 3..6), (Family::Strokes, 6..7)]);
+        assert!(runs(&corners, 3..3).is_empty());
+    }
+
     #[test]
     fn what_comes_first_and_the_rest_stay_as_they_are_among_themselves() {
-        let quad = |depth: f32| {
-            let place = [Vec2::ZERO; 2];
-            let colors = [Color::hex(0); 2];
-            let quad =
-                Quad { kind: Kind::Solid, place, form: place, measures: [0.0; 4], hidden: 0.0, rim: 0.0, colors };
-            quad.at(Quad::rectangle(Vec2::ZERO, Vec2::ONE, depth))
-        };
-        let mut corners: Vec<QuadData> = [0.75, 0.25, 0.5, 0.125].into_iter().flat_map(quad).collect();
+        let depths = [0.75, 0.25, 0.5, 0.125];
+        let mut corners: Vec<QuadData> = depths.into_iter().flat_map(|depth| quad(Kind::Solid, depth)).collect();
         put_first(&mut corners, |middle| middle.z < 0.5 && middle.truncate() == Vec2::splat(0.5));
         let depths: Vec<f32> = corners.chunks_exact(4).map(|quad| quad[0].position[2]).collect();
         assert_eq!(depths, [0.25, 0.125, 0.75, 0.5]);

@@ -257,7 +257,7 @@ fn convex_hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
 
 #[cfg(test)]
 mod tests {
-    use super::hide;
+    use super::{covering_triangles, hide};
     use crate::camera::{Camera, NEAR};
     use crate::frame::{Area, Color, Pane, Quadric, QuadricPair};
     use crate::render::pane::PaneUniform;
@@ -283,5 +283,49 @@ mod tests {
         assert!(!is_hidden(1.2 * right) && !is_hidden(2.5 * right + 3.0 * forward));
         assert!(is_hidden(1.2 * Vec3::Z + 0.6 * forward) && !is_hidden(1.2 * Vec3::Z + 0.6 * right + 0.6 * forward));
         assert!(!is_hidden(1.4 * up) && !hide(&[], &uniform, Vec2::ZERO, 0.0));
+    }
+    #[test]
+    fn triangles_hold_the_silhouettes_with_their_soft_edges_and_little_else() {
+        let pixels = Vec2::new(300.0, 200.0);
+        let axes = Mat3::from_rotation_y(0.7) * Mat3::from_rotation_x(0.4);
+        let long = Quadric::ellipsoid(Vec3::new(0.2, 0.0, 0.1), axes, Vec3::new(0.3, 0.6, 1.4), Color::hex(0));
+        let uniform = PaneUniform::new(&Pane::new(Area::WHOLE, Camera::new(0.3, 0.2, 6.0), 0.0), pixels, 1.0);
+        let triangles = covering_triangles(&QuadricPair::one(long, false), &uniform);
+        let triangles = triangles.as_chunks::<3>().0;
+        let holds = |place: Vec2| {
+            let turns = |[a, b, c]: [Vec2; 3]| [(a, b), (b, c), (c, a)].map(|(p, q)| (q - p).perp_dot(place - p));
+            triangles.iter().any(|triangle| {
+                let turns = turns(*triangle);
+                turns.iter().all(|turn| *turn >= 0.0) || turns.iter().all(|turn| *turn <= 0.0)
+            })
+        };
+        // Where a pixel is covered at all, its middle is at most half its diagonal from the silhouette.
+        let mut covered = 0;
+        for n in 0..300 * 200 {
+            let pixel = Vec2::new((n % 300) as f32 + 0.5, (n / 300) as f32 + 0.5);
+            let ndc = |pixel: Vec2| (pixel / pixels * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
+            let ring = [Vec2::ZERO, Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y].map(|aside| pixel + 0.7 * aside);
+            if ring.into_iter().any(|place| hide(&[QuadricPair::one(long, false)], &uniform, ndc(place), 0.0)) {
+                covered += 1;
+                assert!(holds(ndc(pixel)), "{pixel}");
+            }
+        }
+        let area: f32 = triangles.iter().map(|[a, b, c]| 0.5 * (*b - *a).perp_dot(*c - *a).abs()).sum();
+        let area = area * 0.25 * pixels.element_product();
+        assert!(covered > 2000 && area < 1.1 * covered as f32, "{area} of {covered}");
+        // From within it may be anywhere.
+        let inside = PaneUniform::new(&Pane::new(Area::WHOLE, Camera::new(0.3, 0.2, 0.5), 0.0), pixels, 1.0);
+        let sphere = Quadric::ellipsoid(Vec3::ZERO, Mat3::IDENTITY, Vec3::ONE, Color::hex(0));
+        assert_eq!(covering_triangles(&QuadricPair::one(sphere, false), &inside).len(), 6);
+    }
+
+    #[test]
+    fn rows_of_a_map_are_at_right_angles_as_the_shader_takes_them() {
+        let axes = Mat3::from_rotation_z(1.1) * Mat3::from_rotation_x(0.4);
+        let map = Quadric::ellipsoid(Vec3::X, axes, Vec3::new(0.3, 0.6, 1.4), Color::hex(0)).unit_from_world;
+        let rows = [map.row(0), map.row(1), map.row(2)].map(|row| row.truncate());
+        for (one, other) in [(0, 1), (1, 2), (2, 0)] {
+            assert!(rows[one].dot(rows[other]).abs() < 1e-5, "{rows:?}");
+        }
     }
 }
