@@ -14,7 +14,7 @@ fn outline(at: vec2f, in: Corner) -> f32 {
 }
 
 @fragment
-fn fragment(in: Corner) -> @location(0) vec4f {
+fn signs(in: Corner) -> @location(0) vec4f {
     let from_centre = in.clip.xy - in.place.xy;
     let turn = in.place.zw;
     let at = vec2f(dot(from_centre, turn), dot(from_centre, vec2f(turn.y, -turn.x)));

@@ -1,6 +1,6 @@
 // Lines: a quad a segment.
 @fragment
-fn fragment(in: Corner) -> @location(0) vec4f {
+fn strokes(in: Corner) -> @location(0) vec4f {
     let from_start = in.clip.xy - in.place.xy;
     let from_end = in.clip.xy - in.place.zw;
     let way = in.measures.xy;

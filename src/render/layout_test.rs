@@ -6,7 +6,7 @@ use wgpu::naga;
 
 use super::dots::DotData;
 use super::mesh::VertexData;
-use super::overlay::{Family, QuadData, ViewUniform};
+use super::overlay::{self, QuadData, ViewUniform};
 use super::pane::PaneUniform;
 use super::quadrics::{PairUniform, QuadricData};
 use super::solids::PlacedData;
@@ -56,9 +56,7 @@ fn uniforms_match_the_shaders() {
         fill_light,
         metrics
     );
-    for family in Family::ALL {
-        same_layout!(&module(&family.source()), "View", ViewUniform, ndc_from_pixel, corner, strength);
-    }
+    same_layout!(&module(&overlay::source()), "View", ViewUniform, ndc_from_pixel, corner, strength);
     same_layout!(&quadrics, "Quadric", QuadricData, unit_from_world, eye, color);
     same_layout!(&quadrics, "Pair", PairUniform, first, second, choice);
 }
@@ -102,9 +100,7 @@ fn vertices_hold_what_the_shaders_read() {
     let expected =
         vec![("place".to_owned(), offset_of!(DotData, place)), ("color".to_owned(), offset_of!(DotData, color))];
     assert_eq!((dots.0, size_of::<DotData>()), (expected, 16 + 4));
-    for family in Family::ALL {
-        same_inputs!(&family.source(), QuadData, position, place, form, measures, style, color, other_color);
-    }
+    same_inputs!(&overlay::source(), QuadData, position, place, form, measures, style, color, other_color);
     let solids = [include_str!("../../shaders/solids.wgsl"), include_str!("../../shaders/solids_of_pixels.wgsl")];
     same_inputs!(&solids.concat(), PlacedData, ndc, shift);
 }

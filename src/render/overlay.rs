@@ -95,22 +95,24 @@ impl Family {
         if kind < f32::from(Kind::Disc as u8) { Self::Strokes } else { Self::Signs }
     }
 
-    fn label(self) -> &'static str {
+    /// The entry of its shader.
+    fn entry(self) -> &'static str {
         match self {
             Self::Strokes => "strokes",
             Self::Signs => "signs",
         }
     }
+}
 
-    /// Its shader, after what all have in common and the numbers of the kinds, which they name.
-    pub(super) fn source(self) -> String {
-        let numbers = KINDS.iter().map(|(kind, name)| format!("const {name} = {}.0;\n", *kind as u8));
-        let own = match self {
-            Self::Strokes => include_str!("../../shaders/strokes.wgsl"),
-            Self::Signs => include_str!("../../shaders/signs.wgsl"),
-        };
-        numbers.collect::<String>() + include_str!("../../shaders/overlay.wgsl") + own
-    }
+/// The shaders of all families, after what they have in common and the numbers of the kinds, which they name.
+pub(super) fn source() -> String {
+    let numbers = KINDS.iter().map(|(kind, name)| format!("const {name} = {}.0;\n", *kind as u8));
+    let shaders = [
+        include_str!("../../shaders/overlay.wgsl"),
+        include_str!("../../shaders/strokes.wgsl"),
+        include_str!("../../shaders/signs.wgsl"),
+    ];
+    numbers.collect::<String>() + &shaders.concat()
 }
 
 /// Quads one after the other that one shader draws.
@@ -197,6 +199,7 @@ const ALL_SHOWN: [Shown; 4] = [Shown::Hidden, Shown::Seen, Shown::Sorted, Shown:
 
 /// Draws the quads of a frame.
 pub(super) struct Overlays {
+    module: Option<wgpu::ShaderModule>,
     /// By the places of their families.
     pipelines: [Lazy; Family::ALL.len()],
     layout: wgpu::BindGroupLayout,
@@ -229,6 +232,7 @@ impl Overlays {
             ],
         });
         Self {
+            module: None,
             pipelines: Default::default(),
             layout,
             views: FrameBuffer::new("overlay view", wgpu::BufferUsages::UNIFORM),
@@ -241,9 +245,15 @@ impl Overlays {
     /// Takes the corners of all quads, those of each quad one after the other, and makes what they are drawn by.
     pub(super) fn upload(&mut self, gpu: &Gpu, corners: &[QuadData]) {
         self.quads.write(&gpu.device, &gpu.queue, corners);
+        let module = self.module.get_or_insert_with(|| {
+            gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some("overlay"),
+                source: wgpu::ShaderSource::Wgsl(source().into()),
+            })
+        });
         for (family, pipeline) in Family::ALL.into_iter().zip(&mut self.pipelines) {
             let is_wanted = corners.iter().step_by(4).any(|corner| Family::of(corner) == family);
-            pipeline.want(is_wanted, || pipeline_of(gpu, &self.layout, family));
+            pipeline.want(is_wanted, || pipeline_of(gpu, module, &self.layout, family));
         }
     }
 
@@ -305,15 +315,15 @@ impl Overlays {
     }
 }
 
-fn pipeline_of(gpu: &Gpu, layout: &wgpu::BindGroupLayout, family: Family) -> wgpu::RenderPipeline {
+fn pipeline_of(
+    gpu: &Gpu,
+    module: &wgpu::ShaderModule,
+    layout: &wgpu::BindGroupLayout,
+    family: Family,
+) -> wgpu::RenderPipeline {
     let attributes = wgpu::vertex_attr_array![
         0 => Float32x3, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x3, 5 => Float32x4, 6 => Float32x4
     ];
-    let label = family.label();
-    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some(label),
-        source: wgpu::ShaderSource::Wgsl(family.source().into()),
-    });
     Recipe {
         buffer: Some(wgpu::VertexBufferLayout {
             array_stride: size_of::<QuadData>() as u64,
@@ -321,7 +331,8 @@ fn pipeline_of(gpu: &Gpu, layout: &wgpu::BindGroupLayout, family: Family) -> wgp
             attributes: &attributes,
         }),
         groups: &[layout],
-        ..Recipe::new(label, &module)
+        fragment: family.entry(),
+        ..Recipe::new(family.entry(), module)
     }
     .pipeline(gpu)
 }

@@ -17,6 +17,8 @@ pub(super) struct PipelineMaker<'a> {
 pub(super) struct Recipe<'a> {
     pub(super) label: &'static str,
     pub(super) module: &'a wgpu::ShaderModule,
+    /// The entry of its fragments; that of its vertices is `vertex`.
+    pub(super) fragment: &'static str,
     pub(super) buffer: Option<wgpu::VertexBufferLayout<'a>>,
     /// The layouts of the bind groups.
     pub(super) groups: &'a [&'a wgpu::BindGroupLayout],
@@ -40,6 +42,7 @@ impl<'a> Recipe<'a> {
         Self {
             label,
             module,
+            fragment: "fragment",
             buffer: None,
             groups: &[],
             cull: None,
@@ -52,7 +55,7 @@ impl<'a> Recipe<'a> {
         }
     }
 
-    /// Makes it; its entries are `vertex` and `fragment`.
+    /// Makes it.
     pub(super) fn pipeline(&self, gpu: &Gpu) -> wgpu::RenderPipeline {
         let device = &gpu.device;
         let format = self.format.unwrap_or(gpu.format());
@@ -85,7 +88,7 @@ impl<'a> Recipe<'a> {
             multisample: wgpu::MultisampleState { count: self.samples, ..Default::default() },
             fragment: Some(wgpu::FragmentState {
                 module: self.module,
-                entry_point: Some("fragment"),
+                entry_point: Some(self.fragment),
                 compilation_options,
                 targets: &[Some(wgpu::ColorTargetState { format, blend: self.blend, write_mask })],
             }),
