@@ -261,7 +261,7 @@ mod tests {
     use crate::camera::{Camera, NEAR};
     use crate::frame::{Area, Color, Pane, Quadric, QuadricPair};
     use crate::render::pane::PaneUniform;
-    use glam::{Mat3, Vec2, Vec3};
+    use glam::{Mat3, Vec2, Vec3, Vec4};
 
     #[test]
     fn walls_hide_what_lies_behind_them_alone() {
@@ -323,7 +323,7 @@ mod tests {
     fn rows_of_a_map_are_at_right_angles_as_the_shader_takes_them() {
         let axes = Mat3::from_rotation_z(1.1) * Mat3::from_rotation_x(0.4);
         let map = Quadric::ellipsoid(Vec3::X, axes, Vec3::new(0.3, 0.6, 1.4), Color::hex(0)).unit_from_world;
-        let rows = [map.row(0), map.row(1), map.row(2)].map(|row| row.truncate());
+        let rows = [map.row(0), map.row(1), map.row(2)].map(Vec4::truncate);
         for (one, other) in [(0, 1), (1, 2), (2, 0)] {
             assert!(rows[one].dot(rows[other]).abs() < 1e-5, "{rows:?}");
         }
