@@ -36,10 +36,8 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
         let per_way = inverseSqrt(dot(corner.to_eye.xyz, corner.to_eye.xyz));
         let to_key = scale * corner.normal.w;
         let to_eye = scale * per_way * dot(corner.normal.xyz, corner.to_eye.xyz);
-        // Half way between the key light and the eye lies the sum of the directions to them.
-        let half_way = inverseSqrt(max(2.0 + 2.0 * per_way * corner.light.w, 1e-6));
         let brightness = light(to_key, scale * corner.to_eye.w, corner.light.xyz);
-        color = color * brightness + vec3f(0.06 * gleam((to_key + to_eye) * half_way));
+        color = color * brightness + vec3f(0.06 * gleam(to_key + to_eye, per_way * corner.light.w));
     }
     return vec4f(color * corner.color.a, corner.color.a);
 }

@@ -28,10 +28,11 @@ fn light(to_key: f32, to_fill: f32, strengths: vec3f) -> f32 {
     return sqrt(strengths.z + key * (0.3 + 0.7 * key) * strengths.x + fill * strengths.y);
 }
 
-// The gleam of a light, by the product of the normal and what lies half way between the light and the eye.
-fn gleam(to_half_way: f32) -> f32 {
+// The gleam of a light, by the products of the normal with the sum of the directions to the light and to the eye, half way between
+// which that sum lies, and of those two with each other.
+fn gleam(to_sum: f32, light_to_eye: f32) -> f32 {
     // The 32nd power, by squaring: cheap where there is no special hardware for powers.
-    let s = max(to_half_way, 0.0);
+    let s = max(to_sum * inverseSqrt(max(2.0 + 2.0 * light_to_eye, 1e-6)), 0.0);
     let s2 = s * s;
     let s4 = s2 * s2;
     let s8 = s4 * s4;

@@ -162,10 +162,9 @@ fn fragment(in: Corner) -> Fragment {
         past.x * select(1.0, past.y, b_then_c) * select(1.0, past.w, d_then_c),
         past.y * select(past.x, 1.0, d_then_a) * select(past.z, 1.0, d_then_c),
     );
-    // The near walls show their outer sides, which gleam, the far ones their inner sides. Half way lies the sum of the directions to the
-    // key light and to the eye.
-    let half_way = inverseSqrt(max(2.0 - 2.0 * in.ray.w * per_ray, 1e-6));
-    let gleams = 0.12 * (gleam(a.gloss * half_way) * seen.x + gleam(b.gloss * half_way) * seen.y);
+    // The near walls show their outer sides, which gleam, the far ones their inner sides.
+    let key_to_eye = -in.ray.w * per_ray;
+    let gleams = 0.12 * (gleam(a.gloss, key_to_eye) * seen.x + gleam(b.gloss, key_to_eye) * seen.y);
     let bright_first = a.brightness * seen.x + 0.8 * c.brightness * seen.z;
     let bright_second = b.brightness * seen.y + 0.8 * d.brightness * seen.w;
     let color = first.rgb * bright_first + second.rgb * bright_second + vec3f(gleams);

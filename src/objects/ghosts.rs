@@ -10,6 +10,7 @@ const OPACITY: f32 = 0.17;
 const APART: f32 = 0.2;
 /// Up to this opacity nothing changes by half of a level of 255.
 const UNSEEN: f32 = 0.5 / 255.0;
+
 /// How a method is drawn wherever it is a ghost.
 #[must_use]
 pub fn method_color(method: &Method, theme: Theme) -> Color {

@@ -86,9 +86,6 @@ pub(super) enum Family {
 }
 
 impl Family {
-    /// All of them, each in its own place.
-    pub(super) const ALL: [Self; 2] = [Self::Strokes, Self::Signs];
-
     /// That of a quad, of which this is a corner.
     fn of(corner: &QuadData) -> Self {
         let kind = corner.style[0];
@@ -201,7 +198,7 @@ const ALL_SHOWN: [Shown; 4] = [Shown::Hidden, Shown::Seen, Shown::Sorted, Shown:
 pub(super) struct Overlays {
     module: Option<wgpu::ShaderModule>,
     /// By the places of their families.
-    pipelines: [Lazy; Family::ALL.len()],
+    pipelines: [Lazy; 2],
     layout: wgpu::BindGroupLayout,
     views: FrameBuffer,
     stride: usize,
@@ -242,18 +239,17 @@ impl Overlays {
         }
     }
 
-    /// Takes the corners of all quads, those of each quad one after the other, and makes what they are drawn by.
-    pub(super) fn upload(&mut self, gpu: &Gpu, corners: &[QuadData]) {
+    /// Takes the corners of all quads, those of each quad one after the other, and makes what their runs are drawn by.
+    pub(super) fn upload<'a>(&mut self, gpu: &Gpu, corners: &[QuadData], runs: impl Iterator<Item = &'a Run>) {
         self.quads.write(&gpu.device, &gpu.queue, corners);
-        let module = self.module.get_or_insert_with(|| {
-            gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some("overlay"),
-                source: wgpu::ShaderSource::Wgsl(source().into()),
-            })
-        });
-        for (family, pipeline) in Family::ALL.into_iter().zip(&mut self.pipelines) {
-            let is_wanted = corners.iter().step_by(4).any(|corner| Family::of(corner) == family);
-            pipeline.want(is_wanted, || pipeline_of(gpu, module, &self.layout, family));
+        for run in runs {
+            let module = self.module.get_or_insert_with(|| {
+                gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                    label: Some("overlay"),
+                    source: wgpu::ShaderSource::Wgsl(source().into()),
+                })
+            });
+            self.pipelines[run.family as usize].want(true, || pipeline_of(gpu, module, &self.layout, run.family));
         }
     }
 

@@ -150,7 +150,8 @@ impl Renderer {
             let flat = runs(&corners);
             panes.push(PreparedPane { corner, extent: *extent, lines, is_sorted, marks, flat });
         }
-        self.overlays.upload(gpu, &corners);
+        let runs = panes.iter().flat_map(|pane: &PreparedPane| [&pane.lines, &pane.marks, &pane.flat]).flatten();
+        self.overlays.upload(gpu, &corners, runs);
         let is_atlas_new = self.texts.upload(device, queue) || self.prepared.is_atlas_new;
         self.prepared = Prepared { clear: clear_color(frame), panes, is_atlas_new };
     }
